@@ -10,15 +10,15 @@
 #pragma once
 
 #include <ancf/compiler.hpp>
+#include <ancf/list.hpp>
 #include <ancf/types.hpp>
 
 #include <cmath>
-#include <vector>
 
 namespace ancf::detail {
 
 /// Writes the entries of x at these places.
-void gather(const VectorX& x, const std::vector<int>& at, VectorX& out);
+void gather(const VectorX& x, const List<int>& at, VectorX& out);
 
 /// Returns the largest |x_i| / scale_i, 0 of none and NaN where an entry is NaN.
 [[nodiscard]] double largest_ratio(const VectorX& x, const VectorX& scale);

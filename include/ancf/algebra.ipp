@@ -4,13 +4,14 @@
 #pragma once
 
 #include <ancf/algebra.hpp>
+#include <ancf/list.hpp>
 
 #include <algorithm>
 #include <cstddef>
 
 namespace ancf::detail {
 
-ANCF_INLINE void gather(const VectorX& x, const std::vector<int>& at, VectorX& out) {
+ANCF_INLINE void gather(const VectorX& x, const List<int>& at, VectorX& out) {
     out.resize(static_cast<Eigen::Index>(at.size()));
     double* to = out.data();
     for (const int k : at) *to++ = x[k];
@@ -68,7 +69,7 @@ ANCF_INLINE VectorX multiply(const SparseMatrix& A, Storage storage, const Vecto
 ANCF_INLINE SparseMatrix leading_block(const SparseMatrix& A, int size, Storage storage) {
     // Two passes over the entries kept: count each column, then fill it. Rows ascend, since the
     // mirror images of a column come from columns before it.
-    std::vector<int> next(static_cast<std::size_t>(size) + 1, 0);
+    List<int> next(static_cast<std::size_t>(size) + 1, 0);
     const auto visit = [&](const auto& keep) {
         for (int j = 0; j < size; ++j)
             for (int k = A.outerIndexPtr()[j]; k < A.outerIndexPtr()[j + 1]; ++k) {
@@ -93,9 +94,9 @@ ANCF_INLINE SparseMatrix leading_block(const SparseMatrix& A, int size, Storage 
 }
 
 ANCF_INLINE void symmetrise(SparseMatrix& A) {
-    const std::vector<double> values(A.valuePtr(), A.valuePtr() + entries(A));
+    const List<double> values(A.valuePtr(), A.valuePtr() + entries(A));
     // rows ascend, so the mirror images of a column's entries are met in their order
-    std::vector<int> next(A.outerIndexPtr(), A.outerIndexPtr() + A.cols());
+    List<int> next(A.outerIndexPtr(), A.outerIndexPtr() + A.cols());
     for (int j = 0; j < static_cast<int>(A.cols()); ++j)
         for (int k = A.outerIndexPtr()[j]; k < A.outerIndexPtr()[j + 1]; ++k) {
             int& mirrored = next.data()[A.innerIndexPtr()[k]];

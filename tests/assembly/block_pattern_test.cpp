@@ -14,7 +14,7 @@ using ancf::BlockPattern;
 using ancf::Storage;
 
 const std::vector<int> sizes = {3, 0, 2, 4, 1};  // one block without rows
-const ancf::detail::Records<ancf::BlockPair> pairs = {{0, 2}, {2, 3}, {3, 2}, {4, 0}, {1, 3}};
+const ancf::List<ancf::BlockPair> pairs = {{0, 2}, {2, 3}, {3, 2}, {4, 0}, {1, 3}};
 
 bool coupled(int a, int b) {
     if (a == b) return true;

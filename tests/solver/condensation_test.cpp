@@ -32,7 +32,7 @@ MatrixX sample(Random& random, bool symmetric) {
     return K;
 }
 
-const std::vector<std::vector<int>> sets = {{2}, {5}, {9}, {10, 11}};
+const List<List<int>> sets = {{2}, {5}, {9}, {10, 11}};
 
 /// Solves by elimination, the reduced system dense.
 VectorX solve_condensed(detail::Condensation& condensation, const SparseMatrix& K,

@@ -19,7 +19,7 @@ using ancf::detail::SparseLdlt;
 
 /// A grid of side x side blocks, each coupled with its neighbours, and its lower half by entries.
 struct Grid {
-    ancf::detail::Records<MatrixEntry> entries;
+    ancf::List<MatrixEntry> entries;
     std::vector<int> blocks;
     ancf::MatrixX dense;
 
@@ -145,13 +145,13 @@ TEST_CASE("sparse LDL^T: a pivot of zero or none at all is told", "[sparse-ldlt]
     SparseLdlt factor;
     CHECK(factor.factorize(ancf::detail::compressed(0, {}), {}));
     CHECK_FALSE(factor.factorize(ancf::detail::compressed(2, {{0, 0, 1.0}}), {0, 1}));
-    const ancf::detail::Records<MatrixEntry> rank_one = {{0, 0, 1.0}, {1, 0, 1.0}, {1, 1, 1.0}};
+    const ancf::List<MatrixEntry> rank_one = {{0, 0, 1.0}, {1, 0, 1.0}, {1, 1, 1.0}};
     CHECK_FALSE(factor.factorize(ancf::detail::compressed(2, rank_one), {0, 0}));
 }
 
 TEST_CASE("sparse LDL^T: a star and a ring of blocks get hardly any fill", "[sparse-ldlt]") {
     const int leaves = 2000;
-    ancf::detail::Records<MatrixEntry> star;
+    ancf::List<MatrixEntry> star;
     std::vector<int> blocks;
     for (int k = 0; k <= leaves; ++k) {
         blocks.push_back(k);
@@ -161,7 +161,7 @@ TEST_CASE("sparse LDL^T: a star and a ring of blocks get hardly any fill", "[spa
     SparseLdlt factor;
     REQUIRE(factor.factorize(ancf::detail::compressed(leaves + 1, star), blocks));
     CHECK(factor.fill() == leaves);
-    ancf::detail::Records<MatrixEntry> ring;
+    ancf::List<MatrixEntry> ring;
     for (int k = 0; k <= leaves; ++k) {
         ring.push_back({k, k, 3.0});
         if (k > 0) ring.push_back({k, k - 1, -1.0});

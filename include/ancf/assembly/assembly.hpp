@@ -18,8 +18,8 @@
 #include <ancf/assembly/schedule.hpp>
 #include <ancf/compiler.hpp>
 #include <ancf/error.hpp>
+#include <ancf/list.hpp>
 #include <ancf/model/scene.hpp>
-#include <ancf/records.hpp>
 #include <ancf/types.hpp>
 
 #include <algorithm>
@@ -28,7 +28,6 @@
 #include <functional>
 #include <optional>
 #include <string>
-#include <vector>
 
 namespace ancf {
 
@@ -146,9 +145,7 @@ public:
     /// Returns the potential of gravity and of the loads that have one, J.
     [[nodiscard]] double load_potential() const noexcept { return load_potential_; }
     /// Returns what of it comes from angles, in the order of the loads.
-    [[nodiscard]] const detail::Records<AnglePotential>& angle_potentials() const noexcept {
-        return angles_;
-    }
+    [[nodiscard]] const List<AnglePotential>& angle_potentials() const noexcept { return angles_; }
     /// Returns the tangent, in the pattern.
     [[nodiscard]] const SparseMatrix& tangent() const noexcept { return tangent_; }
     /// Returns its values, for terms of a solver's own; the next evaluation writes them anew.
@@ -243,14 +240,13 @@ public:
     }
 
     /// Adds scale times a matrix on some coordinates to a matrix of this pattern.
-    void add_matrix(const std::vector<int>& coordinates, double scale, const MatrixX& local,
+    void add_matrix(const List<int>& coordinates, double scale, const MatrixX& local,
                     SparseMatrix& matrix) const;
     /// Calls visit(i, j, place, mirrored) for the entries G_ij of one constraint, j of those of its
     /// coordinates that are unknowns: the places of G_ij and of its mirror image in G^T among the
     /// values of a matrix of this pattern.
     template <class Visitor>
-    void visit_border(int constraint, const std::vector<int>& coordinates,
-                      const Visitor& visit) const {
+    void visit_border(int constraint, const List<int>& coordinates, const Visitor& visit) const {
         const int own = numbering_.constraint_block(constraint);
         const int equations = pattern_.first(own + 1) - pattern_.first(own);
         for (int j = 0; j < static_cast<int>(coordinates.size()); ++j) {
@@ -273,15 +269,15 @@ private:
         int first;
         int last;
     };
-    using ValueRanges = detail::Records<ValueRange>;
+    using ValueRanges = List<ValueRange>;
 
     // Where and in which order the elements of a group add.
     struct GroupPlan {
-        detail::Records<ElementSlots> slots;
+        List<ElementSlots> slots;
         ElementSchedule schedule;
-        ValueRanges cleared;                         // run by run
-        detail::Records<std::size_t> first_cleared;  // of each run, and the end
-        std::vector<detail::AttachedElement> attached;
+        ValueRanges cleared;              // run by run
+        List<std::size_t> first_cleared;  // of each run, and the end
+        List<detail::AttachedElement> attached;
     };
 
     // Evaluates this part of a scene alone.
@@ -332,24 +328,24 @@ private:
     const Scene& model_;
     Numbering numbering_;
     BlockPattern pattern_;
-    std::vector<GroupPlan> plans_;  // per group
-    ValueRanges cleared_first_;     // columns that no element adds to
+    List<GroupPlan> plans_;      // per group
+    ValueRanges cleared_first_;  // columns that no element adds to
     ElementSchedule::Followed followed_;
-    std::vector<detail::LocalCoordinates> load_coordinates_;
-    std::vector<detail::LocalCoordinates> constraint_coordinates_;
-    std::vector<std::vector<int>> constraint_powers_;  // of a length, per coordinate
-    Revision revision_;                                // of the model that this is set up for
-    VectorX gravity_;                                  // force of gravity at unit scale
+    List<detail::LocalCoordinates> load_coordinates_;
+    List<detail::LocalCoordinates> constraint_coordinates_;
+    List<List<int>> constraint_powers_;  // of a length, per coordinate
+    Revision revision_;                  // of the model that this is set up for
+    VectorX gravity_;                    // force of gravity at unit scale
 
     VectorX internal_, predicted_, external_, constraint_, violation_, violation_rate_;
     ConstraintState constraint_state_;  // where, and what, of one constraint
     ConstraintResult constraint_result_;
-    detail::Records<std::array<double, 3>> steepest_;  // |dg/dq| of r_xx, slopes, r by equation
-    VectorX force_q_;                   // coordinates of the last evaluation of forces alone
-    mutable bool energy_known_ = true;  // else it is that at force_q_, to be computed
+    List<std::array<double, 3>> steepest_;  // |dg/dq| of r_xx, slopes, r by equation
+    VectorX force_q_;                       // coordinates of the last evaluation of forces alone
+    mutable bool energy_known_ = true;      // else it is that at force_q_, to be computed
     mutable double strain_energy_ = 0.0;
     double load_potential_ = 0.0;
-    detail::Records<AnglePotential> angles_;
+    List<AnglePotential> angles_;
     int faulty_load_ = -1, faulty_constraint_ = -1;  // of the last evaluation; -1: none
     SparseMatrix tangent_, damping_;
 };

@@ -6,6 +6,7 @@
 #include <ancf/algebra.hpp>
 #include <ancf/assembly/assembly.hpp>
 #include <ancf/element/requirement.hpp>
+#include <ancf/list.hpp>
 
 #include <cmath>
 
@@ -42,9 +43,9 @@ ANCF_INLINE void require_mass(const ElementGroup& group, const double* mass) {
 }
 
 /// Returns the mass matrices of all prototypes of a group, by columns, one after the other.
-[[nodiscard]] ANCF_INLINE std::vector<double> prototype_masses(const ElementGroup& group) {
+[[nodiscard]] ANCF_INLINE List<double> prototype_masses(const ElementGroup& group) {
     const std::ptrdiff_t size = group.dofs() * group.dofs();
-    std::vector<double> masses(static_cast<std::size_t>(size * group.prototype_count()));
+    List<double> masses(static_cast<std::size_t>(size * group.prototype_count()));
     for (int k = 0; k < group.prototype_count(); ++k) {
         double* const mass = masses.data() + size * k;
         group.mass(k, mass);
@@ -85,7 +86,7 @@ ANCF_INLINE Assembly::Assembly(const Scene& model, Storage storage)
     }
     list_followed();
     build_pattern(storage);
-    plans_ = std::vector<GroupPlan>(model.groups().size());
+    plans_ = List<GroupPlan>(model.groups().size());
     for (std::size_t group = 0; group < plans_.size(); ++group) build_slots(group);
     build_clearing();
     build_gravity();
@@ -116,7 +117,7 @@ ANCF_INLINE void Assembly::list_coordinates() {
     for (const AnyConstraint& constraint : model_.constraints()) {
         constraint_coordinates_.emplace_back(layout, dependence, constraint.coupling(),
                                              "constraint");
-        std::vector<int>& powers = constraint_powers_.emplace_back();
+        List<int>& powers = constraint_powers_.emplace_back();
         for (const int coordinate : constraint_coordinates_.back().acted())
             powers.push_back(length_power(layout.field_of(coordinate)));
     }
@@ -127,7 +128,7 @@ ANCF_INLINE void Assembly::list_followed() {
     if (model_.attachments().empty()) return;
     followed_.resize(static_cast<std::size_t>(layout.nodes()));
     for (const AttachedVector& attachment : model_.attachments()) {
-        std::vector<int>& of = followed_[attachment.vector.node.index];
+        List<int>& of = followed_[attachment.vector.node.index];
         for (const Dependence::Part& part :
              model_.dependence().parts(layout.index(attachment.vector)))
             if (const int node = layout.node_of(part.first);
@@ -140,7 +141,7 @@ ANCF_INLINE void Assembly::check_arms() const {
     if (model_.attachments().empty() || model_.exchange() != nullptr) return;
     const Layout& layout = model_.layout();
     const Dependence& dependence = model_.dependence();
-    std::vector<char> held(static_cast<std::size_t>(layout.size()));
+    List<char> held(static_cast<std::size_t>(layout.size()));
     const auto hold = [&](const NodeField& at, bool arms) {
         if (at.field == Field::r && !arms) return;
         const int first = layout.index(at);
@@ -178,8 +179,8 @@ ANCF_INLINE void Assembly::check_arms() const {
 }
 
 ANCF_INLINE void Assembly::build_pattern(Storage storage) {
-    detail::Records<BlockPair> pairs;
-    std::vector<int> blocks;
+    List<BlockPair> pairs;
+    List<int> blocks;
     const auto couple_blocks = [&] {
         std::sort(blocks.data(), blocks.data() + blocks.size());
         blocks.erase(std::unique(blocks.begin(), blocks.end()), blocks.end());
@@ -187,7 +188,7 @@ ANCF_INLINE void Assembly::build_pattern(Storage storage) {
             for (std::size_t b = a + 1; b < blocks.size(); ++b)
                 pairs.push_back({blocks[a], blocks[b]});
     };
-    const auto couple_all = [&](const std::vector<int>& coordinates) {
+    const auto couple_all = [&](const List<int>& coordinates) {
         blocks.clear();
         for (const int k : coordinates) blocks.push_back(numbering_.block(k));
         couple_blocks();
@@ -257,7 +258,7 @@ ANCF_INLINE void Assembly::build_slots(std::size_t index) {
 // them: they come from memory once, and threads share that work too.
 ANCF_INLINE void Assembly::build_clearing() {
     const int nodes = model_.layout().nodes();
-    detail::Records<char> seen(static_cast<std::size_t>(nodes), 0);
+    List<char> seen(static_cast<std::size_t>(nodes), 0);
     const auto append = [&](int block, std::size_t first, ValueRanges& ranges) {
         const ValueRange next{pattern_.first_value(block), pattern_.first_value(block + 1)};
         if (ranges.size() > first && ranges.back().last == next.first)
@@ -265,7 +266,7 @@ ANCF_INLINE void Assembly::build_clearing() {
         else
             ranges.push_back(next);
     };
-    std::vector<int> fresh;
+    List<int> fresh;
     for (std::size_t index = 0; index < plans_.size(); ++index) {
         GroupPlan& plan = plans_[index];
         for (const ElementRun& run : plan.schedule.runs()) {
@@ -318,7 +319,7 @@ ANCF_INLINE void Assembly::build_gravity() {
     gravity_.setZero(numbering_.coordinates());
     double acceleration[3] = {};
     for (int k = 0; k < model_.dimension(); ++k) acceleration[k] = model_.gravity_component(k);
-    std::vector<double> forces;  // of a group's prototypes
+    List<double> forces;  // of a group's prototypes
     for (std::size_t g = 0; g < plans_.size(); ++g) {
         const ElementGroup& group = *model_.groups()[g];
         const std::ptrdiff_t dofs = group.dofs();
@@ -460,7 +461,7 @@ ANCF_INLINE void Assembly::add_elements(const Configuration& at, Request request
     }
 }
 
-ANCF_INLINE void Assembly::add_matrix(const std::vector<int>& coordinates, double scale,
+ANCF_INLINE void Assembly::add_matrix(const List<int>& coordinates, double scale,
                                       const MatrixX& local, SparseMatrix& matrix) const {
     const auto size = static_cast<Eigen::Index>(coordinates.size());
     for (Eigen::Index j = 0; j < size; ++j) {
@@ -516,7 +517,7 @@ ANCF_INLINE void Assembly::add_loads(const Configuration& at, Request request) {
     int place = -1;
     for_each_load(
         at.q, at.v, at.instant.time, request != Request::force,
-        [&](const ScaledLoad& load, const std::vector<int>& coordinates, const LoadResult& result) {
+        [&](const ScaledLoad& load, const List<int>& coordinates, const LoadResult& result) {
             const double scale = load.scale(at.instant);
             const int size = static_cast<int>(coordinates.size());
             ++place;
@@ -543,7 +544,7 @@ ANCF_INLINE VectorX Assembly::load_rate(const VectorX& q, double factor, double 
     for (double& entry : rate) entry *= gravity;
     for_each_load(
         q, VectorX::Zero(q.size()), factor, false,
-        [&](const ScaledLoad& load, const std::vector<int>& coordinates, const LoadResult& result) {
+        [&](const ScaledLoad& load, const List<int>& coordinates, const LoadResult& result) {
             const double scale =
                 detail::slope_of([&](const Instant& at) { return load.scale(at); }, factor, side);
             for (std::size_t i = 0; i < coordinates.size(); ++i)
@@ -556,7 +557,7 @@ ANCF_INLINE void Assembly::add_load_tangent_rate(const VectorX& q, SparseMatrix&
     check_size("add_load_tangent_rate", "coordinates", q);
     for_each_load(
         q, VectorX::Zero(q.size()), 0.0, true,
-        [&](const ScaledLoad& load, const std::vector<int>& coordinates, const LoadResult& result) {
+        [&](const ScaledLoad& load, const List<int>& coordinates, const LoadResult& result) {
             if (result.stiffness.size() == 0) return;
             const double scale =
                 detail::slope_of([&](const Instant& at) { return load.scale(at); }, 0.0, 1.0);
@@ -573,15 +574,15 @@ ANCF_INLINE void Assembly::add_load_tangent_change(const VectorX& q, const Vecto
     for (int k = 0; k < sum.nonZeros(); ++k) sum.valuePtr()[k] = 0.0;
     SparseMatrix noise = sum;
     for (const double sign : {-1.0, 1.0})
-        for_each_load(q + sign * change, rest, 0.0, true,
-                      [&](const ScaledLoad& load, const std::vector<int>& coordinates,
-                          const LoadResult& result) {
-                          MatrixX block = -scale * load.scale({0.0, 0.0}) * result.stiffness;
-                          if (block.size() == 0) return;
-                          add_matrix(coordinates, sign, block, sum);
-                          block.setConstant(round_off * block.cwiseAbs().maxCoeff());
-                          add_matrix(coordinates, 1.0, block, noise);
-                      });
+        for_each_load(
+            q + sign * change, rest, 0.0, true,
+            [&](const ScaledLoad& load, const List<int>& coordinates, const LoadResult& result) {
+                MatrixX block = -scale * load.scale({0.0, 0.0}) * result.stiffness;
+                if (block.size() == 0) return;
+                add_matrix(coordinates, sign, block, sum);
+                block.setConstant(round_off * block.cwiseAbs().maxCoeff());
+                add_matrix(coordinates, 1.0, block, noise);
+            });
     for (int k = 0; k < sum.nonZeros(); ++k)
         if (std::abs(sum.valuePtr()[k]) > noise.valuePtr()[k])
             matrix.valuePtr()[k] += sum.valuePtr()[k];
@@ -590,8 +591,8 @@ ANCF_INLINE void Assembly::add_load_tangent_change(const VectorX& q, const Vecto
 ANCF_INLINE int Assembly::damping_load(const VectorX& q, const VectorX& v, const VectorX& others,
                                        double time) const {
     check_size("damping_load", "coordinates", q);
-    std::vector<VectorX> forces;
-    const auto keep = [&](const ScaledLoad&, const std::vector<int>&, const LoadResult& result) {
+    List<VectorX> forces;
+    const auto keep = [&](const ScaledLoad&, const List<int>&, const LoadResult& result) {
         forces.push_back(result.force);
     };
     for_each_load(q, v, time, false, keep);
@@ -615,7 +616,7 @@ ANCF_INLINE void Assembly::add_constraints(const Configuration& at, Request requ
     for (std::size_t k = 0; k < constraint_coordinates_.size(); ++k) {
         const AnyConstraint& constraint = model_.constraints()[k];
         const detail::LocalCoordinates& map = constraint_coordinates_[k];
-        const std::vector<int>& coordinates = map.acted();
+        const List<int>& coordinates = map.acted();
         const int equations = constraint.equations();
         detail::gather(at.q, map.read(), local.q);
         detail::gather(at.v, map.read(), local.v);
@@ -659,7 +660,7 @@ ANCF_INLINE VectorX Assembly::violation_scale(double length) const {
 
 ANCF_INLINE void Assembly::add_constraint_blocks(int constraint, ConstraintResult& result) {
     const detail::LocalCoordinates& map = constraint_coordinates_[constraint];
-    const std::vector<int>& stiff = map.carry(result.stiffness, result.active);
+    const List<int>& stiff = map.carry(result.stiffness, result.active);
     add_matrix(stiff, 1.0, result.stiffness, tangent_);
     double* const values = tangent_.valuePtr();
     visit_border(constraint, map.acted(), [&](int i, int j, int place, int mirrored) {
@@ -812,7 +813,7 @@ ANCF_INLINE SparseMatrix Assembly::mass() const {
     for (std::size_t g = 0; g < plans_.size(); ++g) {
         const ElementGroup& group = *model_.groups()[g];
         const std::ptrdiff_t size = group.dofs() * group.dofs();
-        const std::vector<double> masses = detail::prototype_masses(group);
+        const List<double> masses = detail::prototype_masses(group);
         for (int k = 0; k < group.size(); ++k)
             add_block({static_cast<int>(g), k}, masses.data() + size * group.prototype_of(k),
                       result);
@@ -833,7 +834,7 @@ ANCF_INLINE VectorX Assembly::mass_product(const VectorX& a) const {
     for (std::size_t g = 0; g < plans_.size(); ++g) {
         const ElementGroup& group = *model_.groups()[g];
         const int dofs = group.dofs();
-        const std::vector<double> masses = detail::prototype_masses(group);
+        const List<double> masses = detail::prototype_masses(group);
         for_each_element(g, [&](const ElementPlace& at, const int* indices) {
             const double* mass = masses.data() + static_cast<std::ptrdiff_t>(dofs) * dofs *
                                                      group.prototype_of(at.element);

@@ -10,10 +10,8 @@
 #pragma once
 
 #include <ancf/compiler.hpp>
-#include <ancf/records.hpp>
+#include <ancf/list.hpp>
 #include <ancf/types.hpp>
-
-#include <vector>
 
 namespace ancf {
 
@@ -32,8 +30,7 @@ public:
     /// @param pairs   coupled blocks (a, b), in any order and repetition; a block couples to
     ///                itself.
     /// @param storage `lower` keeps rows at or below the diagonal.
-    BlockPattern(const std::vector<int>& sizes, const detail::Records<BlockPair>& pairs,
-                 Storage storage);
+    BlockPattern(const List<int>& sizes, const List<BlockPair>& pairs, Storage storage);
 
     /// Returns which part is stored.
     [[nodiscard]] Storage storage() const noexcept { return storage_; }
@@ -73,12 +70,12 @@ public:
 
 private:
     Storage storage_ = Storage::full;
-    std::vector<int> first_ = {0};       // first row of each block
-    std::vector<int> height_;            // stored rows in a block's first column
-    std::vector<int> start_ = {0};       // value index of each block column's first value
-    std::vector<int> neighbour_first_;   // into neighbours_, per block
-    std::vector<int> neighbours_;        // row blocks stored in each block column, ascending
-    std::vector<int> neighbour_offset_;  // rows before that row block in the first column
+    List<int> first_ = {0};       // first row of each block
+    List<int> height_;            // stored rows in a block's first column
+    List<int> start_ = {0};       // value index of each block column's first value
+    List<int> neighbour_first_;   // into neighbours_, per block
+    List<int> neighbours_;        // row blocks stored in each block column, ascending
+    List<int> neighbour_offset_;  // rows before that row block in the first column
 };
 
 }  // namespace ancf

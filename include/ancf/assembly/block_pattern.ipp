@@ -5,6 +5,7 @@
 
 #include <ancf/assembly/block_pattern.hpp>
 #include <ancf/error.hpp>
+#include <ancf/list.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -13,8 +14,8 @@
 
 namespace ancf {
 
-ANCF_INLINE BlockPattern::BlockPattern(const std::vector<int>& sizes,
-                                       const detail::Records<BlockPair>& pairs, Storage storage)
+ANCF_INLINE BlockPattern::BlockPattern(const List<int>& sizes, const List<BlockPair>& pairs,
+                                       Storage storage)
     : storage_(storage), first_(sizes.size() + 1, 0) {
     const auto blocks = sizes.size();
     for (std::size_t k = 0; k < blocks; ++k) first_[k + 1] = first_[k] + sizes[k];
@@ -30,10 +31,10 @@ ANCF_INLINE BlockPattern::BlockPattern(const std::vector<int>& sizes,
                 couple(static_cast<std::size_t>(pair.second), pair.first);
         }
     };
-    detail::Records<std::size_t> end(blocks + 1, 0);
+    List<std::size_t> end(blocks + 1, 0);
     visit([&](std::size_t column, int) { ++end[column + 1]; });
     for (std::size_t k = 0; k < blocks; ++k) end[k + 1] += end[k];
-    std::vector<int> rows(end[blocks]);
+    List<int> rows(end[blocks]);
     visit([&](std::size_t column, int row) { rows[end[column]++] = row; });
 
     height_.assign(blocks, 0);

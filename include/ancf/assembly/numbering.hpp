@@ -10,11 +10,11 @@
 #pragma once
 
 #include <ancf/compiler.hpp>
+#include <ancf/list.hpp>
 #include <ancf/model/scene.hpp>
 #include <ancf/types.hpp>
 
 #include <cstddef>
-#include <vector>
 
 namespace ancf {
 
@@ -50,10 +50,10 @@ public:
     }
 
     /// Returns the number of equations of each block.
-    [[nodiscard]] const std::vector<int>& block_sizes() const noexcept { return sizes_; }
+    [[nodiscard]] const List<int>& block_sizes() const noexcept { return sizes_; }
 
     /// Returns the supported coordinates in ascending order.
-    [[nodiscard]] const std::vector<int>& held() const noexcept { return held_; }
+    [[nodiscard]] const List<int>& held() const noexcept { return held_; }
 
     /// Returns what attached vectors follow.
     [[nodiscard]] const Dependence& dependence() const noexcept { return dependence_; }
@@ -88,10 +88,10 @@ private:
     int nodes_ = 0;
     int free_ = 0;
     int multipliers_ = 0;
-    std::vector<int> equation_;
-    std::vector<int> block_;
-    std::vector<int> sizes_;
-    std::vector<int> held_;
+    List<int> equation_;
+    List<int> block_;
+    List<int> sizes_;
+    List<int> held_;
     Dependence dependence_;
 };
 

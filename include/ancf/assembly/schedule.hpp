@@ -11,12 +11,11 @@
 #pragma once
 
 #include <ancf/compiler.hpp>
+#include <ancf/list.hpp>
 #include <ancf/model/element_group.hpp>
-#include <ancf/records.hpp>
 
 #include <cstddef>
 #include <exception>
-#include <vector>
 
 namespace ancf {
 
@@ -28,11 +27,10 @@ public:
     ElementSchedule() = default;
 
     /// Nodes that each node follows by attachments; none: no node follows another one.
-    using Followed = std::vector<std::vector<int>>;
+    using Followed = List<List<int>>;
 
     /// @param nodes  number of nodes of the model
-    ElementSchedule(const detail::Records<Connection>& connections, int nodes,
-                    const Followed& followed = {});
+    ElementSchedule(const List<Connection>& connections, int nodes, const Followed& followed = {});
 
     /// Calls visit(run, place) for every run, on several threads where the compiler has OpenMP;
     /// `place` counts the runs in the order in which they are added.
@@ -42,13 +40,13 @@ public:
     double sum(const Visitor& visit) const;
 
     /// Returns the runs in the order in which they are added, colour by colour.
-    [[nodiscard]] const detail::Records<ElementRun>& runs() const noexcept { return runs_; }
+    [[nodiscard]] const List<ElementRun>& runs() const noexcept { return runs_; }
     /// Returns the number of runs up to the end of each colour.
-    [[nodiscard]] const detail::Records<std::size_t>& colours() const noexcept { return colours_; }
+    [[nodiscard]] const List<std::size_t>& colours() const noexcept { return colours_; }
 
     /// Calls visit(node) for both nodes of every element of a run, and for those they follow.
     template <class Visitor>
-    static void visit_nodes(const detail::Records<Connection>& connections, const ElementRun& run,
+    static void visit_nodes(const List<Connection>& connections, const ElementRun& run,
                             const Followed& followed, const Visitor& visit) {
         for (int k = run.first; k < run.last; ++k) {
             const Connection& connection = connections[k];
@@ -62,8 +60,8 @@ public:
     }
 
 private:
-    detail::Records<ElementRun> runs_;
-    detail::Records<std::size_t> colours_;
+    List<ElementRun> runs_;
+    List<std::size_t> colours_;
     bool sequential_ = false;
 };
 
@@ -76,7 +74,7 @@ double ElementSchedule::sum(const Visitor& visit) const {
             for (; first < last; ++first) total += visit(runs_[first], first);
             continue;
         }
-        std::vector<double> parts(last - first, 0.0);
+        List<double> parts(last - first, 0.0);
         std::exception_ptr thrown;  // none may leave a thread
         const auto size = static_cast<std::ptrdiff_t>(parts.size());
         std::ptrdiff_t thrower = size;

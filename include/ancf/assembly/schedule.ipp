@@ -4,17 +4,18 @@
 #pragma once
 
 #include <ancf/assembly/schedule.hpp>
+#include <ancf/list.hpp>
 
 #include <algorithm>
 #include <cstdint>
 
 namespace ancf {
 
-ANCF_INLINE ElementSchedule::ElementSchedule(const detail::Records<Connection>& connections,
-                                             int nodes, const Followed& followed) {
+ANCF_INLINE ElementSchedule::ElementSchedule(const List<Connection>& connections, int nodes,
+                                             const Followed& followed) {
     constexpr int most_colours = 63;
-    detail::Records<std::uint64_t> taken(static_cast<std::size_t>(nodes), 0);  // colours at a node
-    detail::Records<std::size_t> colour_of;                                    // of each run
+    List<std::uint64_t> taken(static_cast<std::size_t>(nodes), 0);  // colours at a node
+    List<std::size_t> colour_of;                                    // of each run
     std::size_t most = 0;
     const int count = static_cast<int>(connections.size());
     for (int first = 0; first < count; first += run_length) {

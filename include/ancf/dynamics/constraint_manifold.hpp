@@ -14,13 +14,13 @@
 
 #include <ancf/algebra.hpp>
 #include <ancf/dynamics/problem.hpp>
+#include <ancf/list.hpp>
 #include <ancf/solver/dense_lu.hpp>
 #include <ancf/types.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <vector>
 
 namespace ancf::detail {
 
@@ -72,7 +72,7 @@ public:
         const int n = problem.size(), m = problem.multipliers();
         if (m == 0) return;
         const Numbering& numbering = problem.numbering();
-        std::vector<char> acted(static_cast<std::size_t>(numbering.coordinates()), 0);
+        List<char> acted(static_cast<std::size_t>(numbering.coordinates()), 0);
         for (std::size_t k = 0; k < problem.model().constraints().size(); ++k)
             for (const int coordinate : problem.assembly().constraint_coordinates(k).acted())
                 acted[coordinate] = 1;
@@ -273,11 +273,11 @@ private:
     }
 
     DynamicProblem& problem_;
-    std::vector<int> active_, coordinates_;  // active ones among the free, and among all
-    std::vector<int> place_;                 // of each free coordinate among the active, or -1
-    MatrixX columns_, block_;                // of M^-1: n x k, k x k
-    std::vector<int> first_, last_;          // of each column what is no round-off
-    VectorX scales_;                         // of active coordinates
+    List<int> active_, coordinates_;  // active ones among the free, and among all
+    List<int> place_;                 // of each free coordinate among the active, or -1
+    MatrixX columns_, block_;         // of M^-1: n x k, k x k
+    List<int> first_, last_;          // of each column what is no round-off
+    VectorX scales_;                  // of active coordinates
     // of the drift: half-way, mu of begin and middle, those of the drift before
     TangentSpace middle_;
     VectorX push_, before_;

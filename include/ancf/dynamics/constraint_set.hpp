@@ -12,12 +12,12 @@
 #include <ancf/algebra.hpp>
 #include <ancf/assembly/assembly.hpp>
 #include <ancf/compiler.hpp>
+#include <ancf/list.hpp>
 #include <ancf/model/constraint.hpp>
 #include <ancf/types.hpp>
 
 #include <algorithm>
 #include <string>
-#include <vector>
 
 namespace ancf::detail {
 
@@ -28,7 +28,7 @@ public:
     explicit ConstraintSet(const Assembly& assembly);
 
     /// Leaves equations out of everything but violations and their largest values.
-    void leave_out(const std::vector<int>& equations) {
+    void leave_out(const List<int>& equations) {
         std::fill(left_out_.begin(), left_out_.end(), char{0});
         for (const int equation : equations) left_out_[equation] = 1;
     }
@@ -72,7 +72,7 @@ public:
     void write_jacobian(SparseMatrix& matrix) const;
 
     /// Writes G into a dense matrix: each free coordinate has a column, or -1.
-    void write_rows(const std::vector<int>& columns, MatrixX& rows) const;
+    void write_rows(const List<int>& columns, MatrixX& rows) const;
 
     /// Adds (G^T mu)_q, and (G v + g_t)_q in the rows of the equations, to a matrix of the system's
     /// pattern.
@@ -90,10 +90,10 @@ private:
     void for_each_entry(const Visitor& visit) const;
 
     const Assembly& assembly_;
-    const std::vector<AnyConstraint>& constraints_;
-    std::vector<int> first_;  // first equation of each constraint
-    std::vector<ConstraintResult> results_;
-    std::vector<char> left_out_;
+    const List<AnyConstraint>& constraints_;
+    List<int> first_;  // first equation of each constraint
+    List<ConstraintResult> results_;
+    List<char> left_out_;
     ConstraintState local_;
     double time_ = 0.0;  // s, with q and v of the last evaluation that had c
     VectorX q_, v_;

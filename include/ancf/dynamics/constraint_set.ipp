@@ -4,6 +4,7 @@
 #pragma once
 
 #include <ancf/dynamics/constraint_set.hpp>
+#include <ancf/list.hpp>
 #include <ancf/solver/redundancy.hpp>
 
 #include <algorithm>
@@ -22,7 +23,7 @@ void ConstraintSet::for_each(const Visitor& visit) const {
 
 template <class Visitor>
 void ConstraintSet::for_each_entry(const Visitor& visit) const {
-    for_each([&](int, const ConstraintResult& result, const std::vector<int>& at, int first) {
+    for_each([&](int, const ConstraintResult& result, const List<int>& at, int first) {
         for (std::size_t j = 0; j < at.size(); ++j) {
             const int equation = assembly_.numbering().equation(at[j]);
             if (equation < 0) continue;
@@ -84,7 +85,7 @@ ANCF_INLINE void ConstraintSet::evaluate(double time, const VectorX& q, const Ve
 
 ANCF_INLINE VectorX ConstraintSet::product(const VectorX& a) const {
     VectorX out = VectorX::Zero(size());
-    for_each([&](int, const ConstraintResult& result, const std::vector<int>& at, int first) {
+    for_each([&](int, const ConstraintResult& result, const List<int>& at, int first) {
         VectorX local;
         gather(a, at, local);
         const VectorX part = multiply(result.jacobian, local);
@@ -97,7 +98,7 @@ ANCF_INLINE VectorX ConstraintSet::product(const VectorX& a) const {
 
 ANCF_INLINE VectorX ConstraintSet::magnitude(const VectorX& x) const {
     VectorX out = VectorX::Zero(size());
-    for_each([&](int, const ConstraintResult& result, const std::vector<int>& at, int first) {
+    for_each([&](int, const ConstraintResult& result, const List<int>& at, int first) {
         for (Eigen::Index j = 0; j < result.jacobian.cols(); ++j)
             for (Eigen::Index i = 0; i < result.jacobian.rows(); ++i)
                 out[first + i] += std::abs(result.jacobian(i, j)) * x[at[j]];
@@ -114,25 +115,24 @@ ANCF_INLINE void ConstraintSet::add_transpose_product(const VectorX& mu, double 
 ANCF_INLINE void ConstraintSet::write_jacobian(SparseMatrix& matrix) const {
     const BlockPattern& pattern = assembly_.pattern();
     double* const values = matrix.valuePtr();
-    for_each(
-        [&](int constraint, const ConstraintResult& result, const std::vector<int>& at, int first) {
-            assembly_.visit_border(constraint, at, [&](int, int, int place, int mirrored) {
-                values[place] = values[mirrored] = 0.0;
-            });
-            // added: a coupling may list a vector twice
-            assembly_.visit_border(constraint, at, [&](int i, int j, int place, int mirrored) {
-                if (left_out(first + i)) return;
-                values[place] += result.jacobian(i, j);
-                values[mirrored] += result.jacobian(i, j);
-            });
-            const int own = assembly_.numbering().constraint_block(constraint);
-            for (int i = 0; i < result.jacobian.rows(); ++i)
-                values[pattern.base(own, own) + pattern.column_offset(own, i) + i] =
-                    left_out(first + i) ? 1.0 : 0.0;
+    for_each([&](int constraint, const ConstraintResult& result, const List<int>& at, int first) {
+        assembly_.visit_border(constraint, at, [&](int, int, int place, int mirrored) {
+            values[place] = values[mirrored] = 0.0;
         });
+        // added: a coupling may list a vector twice
+        assembly_.visit_border(constraint, at, [&](int i, int j, int place, int mirrored) {
+            if (left_out(first + i)) return;
+            values[place] += result.jacobian(i, j);
+            values[mirrored] += result.jacobian(i, j);
+        });
+        const int own = assembly_.numbering().constraint_block(constraint);
+        for (int i = 0; i < result.jacobian.rows(); ++i)
+            values[pattern.base(own, own) + pattern.column_offset(own, i) + i] =
+                left_out(first + i) ? 1.0 : 0.0;
+    });
 }
 
-ANCF_INLINE void ConstraintSet::write_rows(const std::vector<int>& columns, MatrixX& rows) const {
+ANCF_INLINE void ConstraintSet::write_rows(const List<int>& columns, MatrixX& rows) const {
     rows.setZero();
     for_each_entry(
         [&](int row, int free_one, double entry) { rows(row, columns[free_one]) += entry; });
@@ -172,7 +172,7 @@ ANCF_INLINE void ConstraintSet::add_velocity_level(const VectorX& mu, SparseMatr
     for (std::size_t k = 0; k < results_.size(); ++k) {
         const AnyConstraint& constraint = constraints_[k];
         const LocalCoordinates& coordinates = assembly_.constraint_coordinates(k);
-        const std::vector<int>&read = coordinates.read(), &at = coordinates.acted();
+        const List<int>&read = coordinates.read(), &at = coordinates.acted();
         const int equations = constraint.equations();
         gather(q_, read, local.q);
         gather(v_, read, local.v);
@@ -191,7 +191,7 @@ ANCF_INLINE void ConstraintSet::add_velocity_level(const VectorX& mu, SparseMatr
                 for (Eigen::Index i = 0; i < result.stiffness.rows(); ++i)
                     row[own(i)] += result.stiffness(i, j) * local.v[own(j)];
             coordinates.carry(row);
-            const std::vector<int>& stiff = coordinates.carry(result.stiffness, result.active);
+            const List<int>& stiff = coordinates.carry(result.stiffness, result.active);
             assembly_.visit_border(static_cast<int>(k), at, [&](int i, int j, int place, int) {
                 if (i == e) values[place] += row[j];
             });

@@ -16,6 +16,7 @@
 
 #include <ancf/dynamics/rigid_modes.hpp>
 #include <ancf/element/fields.hpp>
+#include <ancf/list.hpp>
 #include <ancf/model/element_group.hpp>
 #include <ancf/types.hpp>
 
@@ -23,7 +24,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <vector>
 
 namespace ancf::detail {
 
@@ -243,9 +243,8 @@ inline void step_force(const ElementGroup& group, int prototype, const double* e
 /// @param invariant     whether rigid motions leave g as it is: then the correction moves no
 ///                      momentum.
 inline void correct_gradient(int dimension, double difference, const VectorX& middle,
-                             const VectorX& change, bool invariant,
-                             const std::vector<int>& length_power, double length,
-                             VectorX& gradient) {
+                             const VectorX& change, bool invariant, const List<int>& length_power,
+                             double length, VectorX& gradient) {
     RigidModes modes;
     modes.set(dimension, static_cast<int>(length_power.size()), middle.data(), length_power.data(),
               length * length);

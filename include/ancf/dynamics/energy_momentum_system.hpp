@@ -14,6 +14,7 @@
 #include <ancf/algebra.hpp>
 #include <ancf/dynamics/discrete_gradient.hpp>
 #include <ancf/dynamics/problem.hpp>
+#include <ancf/list.hpp>
 #include <ancf/model/constraint.hpp>
 #include <ancf/model/layout.hpp>
 #include <ancf/model/load.hpp>
@@ -24,7 +25,6 @@
 #include <cstddef>
 #include <functional>
 #include <limits>
-#include <vector>
 
 namespace ancf::detail {
 
@@ -102,8 +102,8 @@ public:
 private:
     struct LocalLoad {
         const LocalCoordinates& at;
-        std::vector<int> power = {};  // of a length in each vector's unit
-        bool invariant = false;       // rigid motions leave the potential, or g, as it is
+        List<int> power = {};    // of a length in each vector's unit
+        bool invariant = false;  // rigid motions leave the potential, or g, as it is
     };
 
     // Calls visit(group, place of the element), element by element.
@@ -117,7 +117,7 @@ private:
 
     template <class Acting>
     void add(const Acting& acting, const LocalCoordinates& coordinates,
-             std::vector<LocalLoad>& list) const {
+             List<LocalLoad>& list) const {
         LocalLoad& local = list.emplace_back(LocalLoad{coordinates});
         for (const NodeField& at : acting.coupling()) local.power.push_back(length_power(at.field));
         local.invariant = is_invariant(acting, local);
@@ -263,7 +263,7 @@ private:
                 }
             }
             const double scale = load.scale(middle);
-            const std::vector<int>& read = place.at.read();
+            const List<int>& read = place.at.read();
             for (std::size_t i = 0; i < read.size(); ++i)
                 force_[read[i]] -= scale * result.force[i];
             if (!matrix) continue;
@@ -281,7 +281,7 @@ private:
         ConstraintResult middle, end;
         for (std::size_t k = 0; k < constraints_.size(); ++k) {
             const LocalCoordinates& map = constraints_[k].at;
-            const std::vector<int>&read = map.read(), &at = map.acted();
+            const List<int>&read = map.read(), &at = map.acted();
             evaluate_constraint(k, first, q1, lambda, matrix, middle, end);
             const auto equations = static_cast<int>(end.violation.size());
             for (std::size_t j = 0; j < read.size(); ++j)
@@ -294,7 +294,7 @@ private:
             if (matrix) {
                 map.carry_columns(end.jacobian);
                 map.carry_columns(middle.jacobian);
-                const std::vector<int>& stiff = map.carry(middle.stiffness, middle.active);
+                const List<int>& stiff = map.carry(middle.stiffness, middle.active);
                 problem_.assembly().add_matrix(stiff, 0.25 * h_ * h_, middle.stiffness, matrix_);
                 write_rows(static_cast<int>(k), at, end.jacobian, middle.jacobian, first);
             }
@@ -363,8 +363,8 @@ private:
     }
 
     /// Adds G of the end in the rows of a constraint, G of the step in its columns.
-    void write_rows(int constraint, const std::vector<int>& at, const MatrixX& end,
-                    const MatrixX& middle, int first) {
+    void write_rows(int constraint, const List<int>& at, const MatrixX& end, const MatrixX& middle,
+                    int first) {
         double* const values = matrix_.valuePtr();
         problem_.assembly().visit_border(constraint, at,
                                          [&](int i, int j, int place, int mirrored) {
@@ -381,15 +381,15 @@ private:
     const Numbering& numbering_;
     const BlockPattern& pattern_;
     StepTangent tangent_;
-    std::vector<LocalLoad> loads_, constraints_;
+    List<LocalLoad> loads_, constraints_;
     double length_ = 1.0;  // of an element: the weight of slopes in joints and loads
     bool driven_ = false;
 
     double t0_ = 0.0, h_ = 0.0;
     VectorX q0_, v0_, middle_, change_;
-    std::vector<double> before_;  // strain energies of the elements at the start
-    StepForce step_;              // of one element after the other
-    VectorX force_;               // of all coordinates, inertia aside
+    List<double> before_;  // strain energies of the elements at the start
+    StepForce step_;       // of one element after the other
+    VectorX force_;        // of all coordinates, inertia aside
     VectorX violation_;
     SparseMatrix matrix_;
 };

@@ -7,6 +7,7 @@
 
 #pragma once
 
+#include <ancf/list.hpp>
 #include <ancf/types.hpp>
 
 #include <algorithm>
@@ -15,7 +16,6 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
-#include <vector>
 
 namespace ancf::detail {
 
@@ -83,7 +83,7 @@ using LinearMap = std::function<VectorX(const VectorX&)>;
                                               const LinearMap& shifted_solve, double threshold) {
     const auto width = static_cast<std::size_t>(std::min<Eigen::Index>(freedom, 14));
     if (freedom <= 0) return 0.0;
-    std::vector<VectorX> basis(width), mass_basis(width), stiff_basis(width), turned(width);
+    List<VectorX> basis(width), mass_basis(width), stiff_basis(width), turned(width);
     for (std::size_t k = 0; k < width; ++k) basis[k] = scattered(scales, static_cast<int>(k));
     MatrixX reduced(static_cast<Eigen::Index>(width), static_cast<Eigen::Index>(width));
     for (int iteration = 0; iteration < 12; ++iteration) {

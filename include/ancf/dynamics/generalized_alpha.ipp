@@ -8,13 +8,13 @@
 #include <ancf/dynamics/motion_run.hpp>
 #include <ancf/dynamics/turning_frames.hpp>
 #include <ancf/error.hpp>
+#include <ancf/list.hpp>
 #include <ancf/types.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <utility>
-#include <vector>
 
 namespace ancf {
 namespace detail {
@@ -454,7 +454,7 @@ private:
     Experience matrix_;
 
     SparseMatrix system_;
-    std::vector<char> stiff_;  // per value: 1 in the block of coordinates, 0 elsewhere
+    List<char> stiff_;  // per value: 1 in the block of coordinates, 0 elsewhere
     VectorX product_, rhs_, solution_;
 };
 

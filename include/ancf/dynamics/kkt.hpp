@@ -10,10 +10,9 @@
 
 #include <ancf/compiler.hpp>
 #include <ancf/error.hpp>
+#include <ancf/list.hpp>
 #include <ancf/solver/sparse_ldlt.hpp>
 #include <ancf/types.hpp>
-
-#include <vector>
 
 namespace ancf::detail {
 
@@ -37,7 +36,7 @@ public:
     /// @param rows    number of rows of A; those of G follow.
     /// @param blocks  of each row its block, from 0: a node, a constraint; none: each row alone.
     /// @throws InvalidArgument where an entry of the diagonal is not stored.
-    void analyze(const SparseMatrix& pattern, int rows, std::vector<int> blocks = {});
+    void analyze(const SparseMatrix& pattern, int rows, List<int> blocks = {});
 
     /// Factorises, unless the values are those already factorised. Reads the lower half.
     /// @pre the pattern is that of analyze.
@@ -61,15 +60,15 @@ private:
     [[nodiscard]] bool factorize_values();
 
     int rows_ = 0;
-    std::vector<int> blocks_;
+    List<int> blocks_;
     int last_ = 0;  // equations that are eliminated last, all or none
     double share_ = largest_share;
-    SparseMatrix matrix_;     // lower half, without zeros where there is no G
-    std::vector<int> slots_;  // where its values stand in the pattern
-    std::vector<int> zeros_;  // where those zeros stand
-    VectorX scales_;          // of the unknowns
-    VectorX sizes_[2];        // of each row sum |entry| scale, over the columns of A, and others
-    std::vector<double> factorised_;
+    SparseMatrix matrix_;  // lower half, without zeros where there is no G
+    List<int> slots_;      // where its values stand in the pattern
+    List<int> zeros_;      // where those zeros stand
+    VectorX scales_;       // of the unknowns
+    VectorX sizes_[2];     // of each row sum |entry| scale, over the columns of A, and others
+    List<double> factorised_;
     SparseLdlt ldlt_;
 };
 

@@ -5,6 +5,7 @@
 
 #include <ancf/algebra.hpp>
 #include <ancf/dynamics/kkt.hpp>
+#include <ancf/list.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -14,8 +15,7 @@
 
 namespace ancf::detail {
 
-ANCF_INLINE void KktSystem::analyze(const SparseMatrix& pattern, int rows,
-                                    std::vector<int> blocks) {
+ANCF_INLINE void KktSystem::analyze(const SparseMatrix& pattern, int rows, List<int> blocks) {
     rows_ = rows;
     blocks_ = std::move(blocks);
     if (blocks_.empty())
@@ -57,7 +57,7 @@ ANCF_INLINE Status KktSystem::factorize(const SparseMatrix& matrix) {
     factorised_.clear();
     if (!all_finite(matrix)) return Status::not_finite;
     if (std::any_of(zeros_.begin(), zeros_.end(), [=](int k) { return first[k] != 0.0; }))
-        analyze(matrix, rows_, std::vector<int>(blocks_));
+        analyze(matrix, rows_, List<int>(blocks_));
     for (std::size_t k = 0; k < slots_.size(); ++k) matrix_.valuePtr()[k] = first[slots_[k]];
     scales_ = unit_scales(matrix_);
     for (VectorX& sizes : sizes_) sizes.setZero(matrix_.cols());

@@ -8,6 +8,7 @@
 #include <ancf/dynamics/leapfrog.hpp>
 #include <ancf/dynamics/motion_run.hpp>
 #include <ancf/error.hpp>
+#include <ancf/list.hpp>
 #include <ancf/model/constraint.hpp>
 #include <ancf/types.hpp>
 
@@ -17,7 +18,6 @@
 #include <optional>
 #include <string>
 #include <utility>
-#include <vector>
 
 namespace ancf {
 namespace detail {
@@ -255,7 +255,7 @@ private:
     /// Tells whether joints are driven so little in a step that it can only end in the right turn.
     [[nodiscard]] bool turns_little() {
         report_.fault.reset();
-        const std::vector<AnyConstraint>& all = problem_.model().constraints();
+        const List<AnyConstraint>& all = problem_.model().constraints();
         const DrivenTurn turn = driven_turn(all, now_.time, next_.time);
         reason_ = turn.fits() ? "Newton's method does not reach the constraints"
                               : driven_turn_text(all, turn, now_.time, next_.time);

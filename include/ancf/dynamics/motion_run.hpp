@@ -11,6 +11,7 @@
 #include <ancf/dynamics/problem.hpp>
 #include <ancf/dynamics/report.hpp>
 #include <ancf/error.hpp>
+#include <ancf/list.hpp>
 #include <ancf/model/constraint.hpp>
 #include <ancf/solver/linear_solver.hpp>
 #include <ancf/types.hpp>
@@ -24,7 +25,6 @@
 #include <limits>
 #include <string>
 #include <utility>
-#include <vector>
 
 namespace ancf::detail {
 
@@ -197,7 +197,7 @@ struct Knot {
 ///
 /// Newton's form by divided differences, times measured by the distance of the last two knots.
 /// @param knots  at least two, of different times.
-void interpolate(const std::vector<Knot>& knots, double time, VectorX& q, VectorX& v);
+void interpolate(const List<Knot>& knots, double time, VectorX& q, VectorX& v);
 
 /// Returns the consistent start of a run and reports it; where there is none the report says why.
 [[nodiscard]] Start start_run(DynamicProblem& problem, DynamicsReport& report);
@@ -308,7 +308,7 @@ private:
     double before_ = never, after_ = never;  // s: closer to each other than the resolution
     double passed_ = -never;                 // s: behind the last one
     int weariness_ = 0;
-    std::vector<double> largest_;  // of each function
+    List<double> largest_;  // of each function
 };
 
 /// A run, from which those of the integrators derive.

@@ -5,6 +5,7 @@
 
 #include <ancf/algebra.hpp>
 #include <ancf/dynamics/motion_run.hpp>
+#include <ancf/list.hpp>
 
 namespace ancf::detail {
 
@@ -260,7 +261,7 @@ ANCF_INLINE void Recorder::observe(const MotionPoint& from, const MotionPoint& t
     }
 }
 
-ANCF_INLINE void interpolate(const std::vector<Knot>& knots, double time, VectorX& q, VectorX& v) {
+ANCF_INLINE void interpolate(const List<Knot>& knots, double time, VectorX& q, VectorX& v) {
     constexpr std::size_t derivatives = 3, most = 9;
     const double last = knots.back().time;
     const double width = last - knots[knots.size() - 2].time;

@@ -17,6 +17,7 @@
 #include <ancf/dynamics/kkt.hpp>
 #include <ancf/dynamics/report.hpp>
 #include <ancf/error.hpp>
+#include <ancf/list.hpp>
 #include <ancf/model/scene.hpp>
 #include <ancf/model/state.hpp>
 #include <ancf/solver/sparse_ldlt.hpp>
@@ -27,7 +28,6 @@
 #include <limits>
 #include <optional>
 #include <string>
-#include <vector>
 
 namespace ancf {
 
@@ -116,7 +116,7 @@ public:
     void refresh();
 
     /// Returns the constraint equations left out as redundant, by their place in lambda.
-    [[nodiscard]] const std::vector<int>& left_out() const noexcept { return left_out_; }
+    [[nodiscard]] const List<int>& left_out() const noexcept { return left_out_; }
 
     /// Solves the same system at any consistent (t, q, v).
     [[nodiscard]] Status accelerations(double t, const VectorX& q, const VectorX& v,
@@ -213,7 +213,7 @@ public:
     /// supports make.
     /// @param active  places among all coordinates of the free ones that constraints act on.
     /// @param q       of these alone.
-    void evaluate_constraints(double t, const std::vector<int>& active, const VectorX& q);
+    void evaluate_constraints(double t, const List<int>& active, const VectorX& q);
 
     /// Returns the constraints as they were evaluated last.
     [[nodiscard]] const detail::ConstraintSet& constraints() const noexcept { return constraints_; }
@@ -408,9 +408,9 @@ private:
     VectorX scales_;       // of free coordinates
     VectorX full_scales_;  // of all coordinates
     double length_ = 1.0;
-    std::vector<Driven> driven_;
+    List<Driven> driven_;
     bool drives_ = false;  // whether anything is driven, in any part
-    std::vector<int> left_out_;
+    List<int> left_out_;
     VectorX angles_;  // potentials of angles that energies() last gave
 
     // of the last evaluation, all coordinates

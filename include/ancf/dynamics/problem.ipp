@@ -6,6 +6,7 @@
 #include <ancf/algebra.hpp>
 #include <ancf/dynamics/frequency.hpp>
 #include <ancf/dynamics/problem.hpp>
+#include <ancf/list.hpp>
 #include <ancf/solver/convergence.hpp>
 #include <ancf/solver/linear_solver.hpp>
 #include <ancf/solver/redundancy.hpp>
@@ -218,7 +219,7 @@ ANCF_INLINE void DynamicProblem::find_redundant(Start& start) {
     constraints_.leave_out(left_out_);
     if (multipliers() == 0) return;
     constraints_.write_jacobian(kkt_matrix_);
-    const std::vector<int> dependent =
+    const List<int> dependent =
         detail::dependent_rows(kkt_matrix_, size(), scales_, options_.redundancy_tolerance);
     if (dependent.empty()) return;
     if (options_.redundancy == Redundancy::minimum_norm) {
@@ -489,7 +490,7 @@ ANCF_INLINE double DynamicProblem::driving_power() const {
     return power;
 }
 
-ANCF_INLINE void DynamicProblem::evaluate_constraints(double t, const std::vector<int>& active,
+ANCF_INLINE void DynamicProblem::evaluate_constraints(double t, const List<int>& active,
                                                       const VectorX& q) {
     time_ = t;
     full_v_.setZero();
@@ -588,7 +589,7 @@ ANCF_INLINE void DynamicProblem::minimize_multipliers(VectorX& multipliers) {
         for (Eigen::Index i = 0; i < a.size(); ++i) sum += weights[i] * a[i] * b[i];
         return sum;
     };
-    std::vector<VectorX> basis;
+    List<VectorX> basis;
     for (const int equation : left_out_) {
         VectorX b = VectorX::Zero(numbering().unknowns()), x;
         for (SparseMatrix::InnerIterator entry(kkt_matrix_, size() + equation); entry; ++entry)

@@ -9,13 +9,13 @@
 #include <ancf/dynamics/radau_system.hpp>
 #include <ancf/dynamics/turning_frames.hpp>
 #include <ancf/error.hpp>
+#include <ancf/list.hpp>
 #include <ancf/types.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <utility>
-#include <vector>
 
 namespace ancf {
 namespace detail {
@@ -496,7 +496,7 @@ private:
         const double share = (time - earlier_.time) / (now_.time - earlier_.time);
         at.lambda = (1.0 - share) * earlier_.lambda + share * now_.lambda;
         if (has_short_step_) return at;
-        const std::vector<double> weights = lagrange_weights(tableau_.nodes, share);
+        const List<double> weights = lagrange_weights(tableau_.nodes, share);
         at.lambda.setZero();
         for (std::size_t i = 0; i < stages_; ++i)
             for (Eigen::Index k = 0; k < at.lambda.size(); ++k)
@@ -555,15 +555,15 @@ private:
     double pull_ = 0.0;     // N m, of the last correction of multipliers
     bool balanced_ = true;  // whether kept matrices left little of them in the last step
     const double newton_tolerance_;
-    const double of_accelerations_;       // the same, of what they move in a step
-    const std::vector<double> at_start_;  // l_i(0)
+    const double of_accelerations_;  // the same, of what they move in a step
+    const List<double> at_start_;    // l_i(0)
 
     Point now_, next_;
     Point earlier_;  // where the last step began
 
     // of the stages: (2), changes of rates, accelerations, multipliers, residuals, corrections
     Stages Y_, rate_change_, acceleration_, lambda_, force_, lengths_, change_, lambda_change_;
-    std::vector<MotionPoint> stage_;
+    List<MotionPoint> stage_;
     // of the step before
     Stages acceleration_before_, lambda_before_;
     double width_before_ = 0.0;
@@ -582,7 +582,7 @@ private:
     bool rejected_ = false,
          failed_ = false;  // the last attempt, by its error or in Newton's method
 
-    std::vector<Knot> knots_;  // of output in the last step; less than two: to be made
+    List<Knot> knots_;  // of output in the last step; less than two: to be made
 };
 
 }  // namespace detail

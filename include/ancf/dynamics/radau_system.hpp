@@ -10,6 +10,7 @@
 #include <ancf/algebra.hpp>
 #include <ancf/compiler.hpp>
 #include <ancf/dynamics/problem.hpp>
+#include <ancf/list.hpp>
 #include <ancf/solver/complex_solver.hpp>
 #include <ancf/solver/complex_solver_for.hpp>
 #include <ancf/solver/dense_lu.hpp>
@@ -22,18 +23,17 @@
 #include <cstddef>
 #include <memory>
 #include <utility>
-#include <vector>
 
 namespace ancf::detail {
 
 /// The coefficients of a method of s stages, made at set-up.
 struct RadauTableau {
-    std::vector<double> nodes;  ///< c, ascending, the last one 1
-    MatrixX inverse;            ///< W = A^-1, s x s
-    MatrixX square;             ///< W^2
-    MatrixX double_integral;    ///< A^2
+    List<double> nodes;       ///< c, ascending, the last one 1
+    MatrixX inverse;          ///< W = A^-1, s x s
+    MatrixX square;           ///< W^2
+    MatrixX double_integral;  ///< A^2
     /// mu: the real eigenvalue of W, then one of each conjugate pair.
-    std::vector<std::complex<double>> eigenvalues;
+    List<std::complex<double>> eigenvalues;
     /// The real part of T^-1, s x s: a row of the real eigenvalue, then of each pair the real and
     /// the imaginary part of one row.
     MatrixX to_modes;
@@ -41,14 +41,14 @@ struct RadauTableau {
 };
 
 /// A vector of each stage.
-using Stages = std::vector<VectorX>;
+using Stages = List<VectorX>;
 
 /// Returns W: differentiation on the points 0 and c_i, by their barycentric weights.
-[[nodiscard]] inline MatrixX differentiation(const std::vector<double>& nodes) {
+[[nodiscard]] inline MatrixX differentiation(const List<double>& nodes) {
     const std::size_t stages = nodes.size();
-    std::vector<double> points = {0.0};
+    List<double> points = {0.0};
     points.insert(points.end(), nodes.begin(), nodes.end());
-    std::vector<double> weights(stages + 1, 1.0);
+    List<double> weights(stages + 1, 1.0);
     for (std::size_t i = 0; i <= stages; ++i)
         for (std::size_t j = 0; j <= stages; ++j)
             if (i != j) weights[i] /= points[i] - points[j];
@@ -64,13 +64,13 @@ using Stages = std::vector<VectorX>;
 }
 
 /// Returns the columns of T for the eigenvalues, their conjugates included.
-[[nodiscard]] inline std::vector<std::complex<double>> radau_column(
-    const std::vector<double>& nodes, const std::complex<double>& eigenvalue) {
+[[nodiscard]] inline List<std::complex<double>> radau_column(
+    const List<double>& nodes, const std::complex<double>& eigenvalue) {
     const std::size_t stages = nodes.size();
-    std::vector<std::complex<double>> column;
+    List<std::complex<double>> column;
     for (const double x : nodes) {
         // Taylor coefficients of N at x, the product of all (x - c) + d in powers of d
-        std::vector<double> taylor = {1.0};
+        List<double> taylor = {1.0};
         for (const double node : nodes) {
             taylor.push_back(0.0);
             for (std::size_t k = taylor.size() - 1; k > 0; --k)
@@ -123,7 +123,7 @@ using Stages = std::vector<VectorX>;
     int at = 0;
     for (const Complex& eigenvalue : tableau.eigenvalues) {
         const bool real = eigenvalue.imag() == 0.0;
-        const std::vector<Complex> column = radau_column(tableau.nodes, eigenvalue);
+        const List<Complex> column = radau_column(tableau.nodes, eigenvalue);
         for (int i = 0; i < stages; ++i) {
             // of a pair the sum of both is twice the real part
             tableau.from_modes(i, at) = (real ? 1.0 : 2.0) * column[i].real();
@@ -183,9 +183,8 @@ inline void sum_stages(const MatrixX& weights, double scale, const Stages& in, S
 }
 
 /// Returns the values at x of the Lagrange polynomials on the nodes, one of each; the nodes differ.
-[[nodiscard]] inline std::vector<double> lagrange_weights(const std::vector<double>& nodes,
-                                                          double x) {
-    std::vector<double> weights(nodes.size(), 1.0);
+[[nodiscard]] inline List<double> lagrange_weights(const List<double>& nodes, double x) {
+    List<double> weights(nodes.size(), 1.0);
     for (std::size_t i = 0; i < nodes.size(); ++i)
         for (std::size_t j = 0; j < nodes.size(); ++j)
             if (i != j) weights[i] *= (x - nodes[j]) / (nodes[i] - nodes[j]);
@@ -334,11 +333,11 @@ private:
     const DynamicProblem& problem_;
     LinearSolver& solver_;
     const RadauTableau& tableau_;
-    std::vector<std::unique_ptr<ComplexSolver>> complex_solvers_;  // of modes 1, 2, ...
+    List<std::unique_ptr<ComplexSolver>> complex_solvers_;  // of modes 1, 2, ...
     SparseMatrix damping_, system_;
     bool damped_ = false;
-    std::vector<char> stiff_;  // per value: 1 in the block of coordinates, 0 elsewhere
-    std::vector<std::complex<double>> values_;
+    List<char> stiff_;  // per value: 1 in the block of coordinates, 0 elsewhere
+    List<std::complex<double>> values_;
     double width_ = 0.0;
     VectorX rhs_, solution_, error_;
     Stages modal_, modal_lengths_;  // right-hand sides and solutions by modes, real

@@ -9,6 +9,7 @@
 #include <ancf/assembly/assembly.hpp>
 #include <ancf/compiler.hpp>
 #include <ancf/error.hpp>
+#include <ancf/list.hpp>
 #include <ancf/model/state.hpp>
 #include <ancf/types.hpp>
 
@@ -16,7 +17,6 @@
 #include <optional>
 #include <string>
 #include <utility>
-#include <vector>
 
 namespace ancf {
 
@@ -46,8 +46,8 @@ struct Snapshot {
 
 /// Where a run ends and what is reported on the way.
 struct Schedule {
-    double end = 0.0;           ///< s, not before the state's time
-    std::vector<double> times;  ///< s, ascending, between the state's time and the end
+    double end = 0.0;    ///< s, not before the state's time
+    List<double> times;  ///< s, ascending, between the state's time and the end
 
     /// Called at each of the times, in order.
     std::function<void(const Snapshot&)> observe;
@@ -71,8 +71,8 @@ struct Schedule {
 
 /// What an integrator carries beyond the state: enough to continue a run bit for bit.
 struct Memory {
-    std::string integrator;  ///< who wrote it; empty: nothing is carried
-    std::vector<std::pair<std::string, VectorX>> values;  ///< by name
+    std::string integrator;                        ///< who wrote it; empty: nothing is carried
+    List<std::pair<std::string, VectorX>> values;  ///< by name
 
     /// Tells whether there is nothing to continue.
     [[nodiscard]] bool empty() const noexcept { return integrator.empty(); }

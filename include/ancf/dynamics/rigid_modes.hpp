@@ -10,12 +10,12 @@
 #pragma once
 
 #include <ancf/algebra.hpp>
+#include <ancf/list.hpp>
 #include <ancf/types.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <vector>
 
 namespace ancf::detail {
 
@@ -200,7 +200,7 @@ private:
 
     int dimension_ = 3;
     double positions_ = 0.0;  // how many
-    std::vector<NodalVector> vectors_;
+    List<NodalVector> vectors_;
     SmallCholesky<3> inertia_, firm_inertia_;
 };
 

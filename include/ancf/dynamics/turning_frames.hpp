@@ -13,6 +13,7 @@
 #include <ancf/dynamics/problem.hpp>
 #include <ancf/dynamics/report.hpp>
 #include <ancf/element/vec3.hpp>
+#include <ancf/list.hpp>
 #include <ancf/model/scene.hpp>
 #include <ancf/types.hpp>
 
@@ -20,7 +21,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <vector>
 
 namespace ancf::detail {
 
@@ -219,9 +219,9 @@ private:
     }
 
     int dimension_;
-    std::vector<int> free_;        // of each free vector the equation of its first component
-    std::vector<int> directions_;  // likewise, without positions
-    std::vector<int> nodes_;  // of each node its slopes, likewise or -1, and where its vectors end
+    List<int> free_;        // of each free vector the equation of its first component
+    List<int> directions_;  // likewise, without positions
+    List<int> nodes_;       // of each node its slopes, likewise or -1, and where its vectors end
     bool turn_ = false;
     double failures_ = 0.0;
     double patience_;         // after how many failures the other way is tried

@@ -10,12 +10,11 @@
 #pragma once
 
 #include <ancf/compiler.hpp>
-#include <ancf/records.hpp>
+#include <ancf/list.hpp>
 
 #include <array>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace ancf {
 
@@ -25,7 +24,7 @@ struct QuadraturePoint {
     double weight;  ///< 1
 };
 
-using Quadrature = detail::Records<QuadraturePoint>;  ///< points with their weights
+using Quadrature = List<QuadraturePoint>;  ///< points with their weights
 
 /// Returns Gauss and Legendre's quadrature, exact for polynomials of degree 2 points - 1.
 /// @throws InvalidArgument unless 1 <= points <= 16.
@@ -91,15 +90,13 @@ public:
     [[nodiscard]] static Rule named(std::string_view name);
 
     /// Returns the names that named() knows.
-    [[nodiscard]] static std::vector<std::string_view> names();
+    [[nodiscard]] static List<std::string_view> names();
 
     /// Returns the word that command lines use.
     [[nodiscard]] const std::string& name() const noexcept { return name_; }
 
     /// Returns the stations in ascending order of xi.
-    [[nodiscard]] const detail::Records<RuleStation>& stations() const noexcept {
-        return stations_;
-    }
+    [[nodiscard]] const List<RuleStation>& stations() const noexcept { return stations_; }
 
     /// Returns at how many stations a group is integrated.
     [[nodiscard]] int points(StrainGroup group) const noexcept {
@@ -114,7 +111,7 @@ private:
     void insert(const Quadrature& quadrature, StrainGroup group);
 
     std::string name_;
-    detail::Records<RuleStation> stations_;
+    List<RuleStation> stations_;
 };
 
 namespace detail {

@@ -6,6 +6,7 @@
 #include <ancf/constants.hpp>
 #include <ancf/element/quadrature.hpp>
 #include <ancf/error.hpp>
+#include <ancf/list.hpp>
 
 #include <cmath>
 #include <cstddef>
@@ -96,7 +97,7 @@ ANCF_INLINE Rule Rule::named(std::string_view name) {
     detail::reject("unknown rule \"", name, "\", expected one of ", list);
 }
 
-ANCF_INLINE std::vector<std::string_view> Rule::names() {
+ANCF_INLINE List<std::string_view> Rule::names() {
     return {"paper", "gauss3", "gauss4", "gauss5", "gauss6", "lobatto3", "mixed", "quintic"};
 }
 

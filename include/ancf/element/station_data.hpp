@@ -14,7 +14,7 @@
 #include <ancf/element/invariants.hpp>
 #include <ancf/element/pack.hpp>
 #include <ancf/element/quadrature.hpp>
-#include <ancf/records.hpp>
+#include <ancf/list.hpp>
 #include <ancf/section/stiffness.hpp>
 
 #include <cstddef>
@@ -59,8 +59,8 @@ struct AxialStationData {
 /// The stations of a rule.
 template <class T, int Line = 3>
 struct StationTable {
-    detail::Records<StationData<T, Line>> full;        ///< stations of all strains
-    detail::Records<AxialStationData<T, Line>> axial;  ///< stations of the axial strain alone
+    List<StationData<T, Line>> full;        ///< stations of all strains
+    List<AxialStationData<T, Line>> axial;  ///< stations of the axial strain alone
 };
 
 /// Returns the shape weights at xi of a straight element of the given length.
@@ -160,8 +160,8 @@ inline void put_lane(StationTable<Pack<Lanes>, Line>& to, int lane,
 }
 
 template <int Lanes, int Line, template <class, int> class Data>
-[[nodiscard]] Records<Data<Pack<Lanes>, Line>> packed(const Records<Data<double, Line>>& stations) {
-    Records<Data<Pack<Lanes>, Line>> packs((stations.size() + Lanes - 1) / Lanes);
+[[nodiscard]] List<Data<Pack<Lanes>, Line>> packed(const List<Data<double, Line>>& stations) {
+    List<Data<Pack<Lanes>, Line>> packs((stations.size() + Lanes - 1) / Lanes);
     for (std::size_t k = 0; k < packs.size() * Lanes; ++k) {
         put_lane(packs[k / Lanes], static_cast<int>(k % Lanes),
                  k < stations.size() ? stations[k] : without_stiffness(stations.back()));

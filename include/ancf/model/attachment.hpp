@@ -11,14 +11,13 @@
 #pragma once
 
 #include <ancf/compiler.hpp>
+#include <ancf/list.hpp>
 #include <ancf/model/element_group.hpp>
 #include <ancf/model/layout.hpp>
-#include <ancf/records.hpp>
 #include <ancf/types.hpp>
 
 #include <array>
 #include <cstddef>
-#include <vector>
 
 namespace ancf {
 
@@ -41,8 +40,7 @@ public:
     Dependence() = default;
 
     /// Resolves chains of attachments, which form no circle.
-    [[gnu::cold]] Dependence(const Layout& layout,
-                             const detail::Records<AttachedVector>& attachments);
+    [[gnu::cold]] Dependence(const Layout& layout, const List<AttachedVector>& attachments);
 
     /// Tells whether nothing is attached.
     [[nodiscard]] bool empty() const noexcept { return firsts_.empty(); }
@@ -53,7 +51,7 @@ public:
     }
 
     /// Returns the parts of the vector that starts at a coordinate: itself unless it is attached.
-    [[nodiscard]] detail::Records<Part> parts(int first) const;
+    [[nodiscard]] List<Part> parts(int first) const;
 
     /// Sets the attached vectors of coordinates, or of their rates or changes, by the others.
     void complete(VectorX& coordinates) const {
@@ -72,12 +70,12 @@ private:
     void list_followers(int coordinates);
 
     int dimension_ = 0;
-    std::vector<int> firsts_;          // first coordinate of each attached vector
-    detail::Records<Part> parts_;      // of all attached vectors, one after the other
-    std::vector<int> first_part_;      // of each attached vector, and the end
-    std::vector<int> vector_of_;       // place in firsts_ of each coordinate, -1
-    std::vector<int> followers_;       // places in firsts_, by the coordinate that they follow
-    std::vector<int> first_follower_;  // of each coordinate, and the end
+    List<int> firsts_;          // first coordinate of each attached vector
+    List<Part> parts_;          // of all attached vectors, one after the other
+    List<int> first_part_;      // of each attached vector, and the end
+    List<int> vector_of_;       // place in firsts_ of each coordinate, -1
+    List<int> followers_;       // places in firsts_, by the coordinate that they follow
+    List<int> first_follower_;  // of each coordinate, and the end
 };
 
 namespace detail {
@@ -90,13 +88,13 @@ struct FollowedVectors {
         double factor;  ///< what multiplies that vector
     };
 
-    std::vector<int> firsts;      ///< first coordinates of those that are not attached, once each
-    Records<Part> parts;          ///< of all vectors of the list, one after the other
-    std::vector<int> first_part;  ///< of each vector of the list, and the end
+    List<int> firsts;      ///< first coordinates of those that are not attached, once each
+    List<Part> parts;      ///< of all vectors of the list, one after the other
+    List<int> first_part;  ///< of each vector of the list, and the end
 
     FollowedVectors() = default;
     /// @param list  first coordinates
-    [[gnu::cold]] FollowedVectors(const Dependence& dependence, const std::vector<int>& list);
+    [[gnu::cold]] FollowedVectors(const Dependence& dependence, const List<int>& list);
 };
 
 /// The coordinates that a load or a constraint reads, and those that it acts on: the same unless
@@ -109,9 +107,9 @@ public:
                                    const Coupling& coupling, const char* what);
 
     /// Returns the coordinates in the order of its coupling.
-    [[nodiscard]] const std::vector<int>& read() const noexcept { return read_; }
+    [[nodiscard]] const List<int>& read() const noexcept { return read_; }
     /// Returns the coordinates that it acts on.
-    [[nodiscard]] const std::vector<int>& acted() const noexcept { return acted_; }
+    [[nodiscard]] const List<int>& acted() const noexcept { return acted_; }
 
     /// Replaces a force on what is read by the force on what it acts on.
     void carry(VectorX& force) const;
@@ -122,11 +120,11 @@ public:
     /// Replaces the stiffness of some of what is read likewise.
     /// @param active  places in read() of its rows and columns; empty: all.
     /// @return the coordinates of its rows and columns then; they may stand in `active`.
-    [[nodiscard]] const std::vector<int>& carry(MatrixX& stiffness, std::vector<int>& active) const;
+    [[nodiscard]] const List<int>& carry(MatrixX& stiffness, List<int>& active) const;
 
 private:
     int dimension_;
-    std::vector<int> read_, acted_;
+    List<int> read_, acted_;
     FollowedVectors followed_;  // without parts where nothing is attached
 };
 
@@ -134,10 +132,10 @@ private:
 struct AttachedElement {
     static constexpr int most_vectors = 16;  ///< that one element can act on
 
-    FollowedVectors vectors;    ///< what its own vectors follow
-    std::vector<int> block_of;  ///< place in `blocks` of each of those that are followed
-    std::vector<int> blocks;    ///< of the system: their nodes
-    std::vector<int> base;  ///< where the values of each pair of `blocks` stand, by rows; -1: none
+    FollowedVectors vectors;  ///< what its own vectors follow
+    List<int> block_of;       ///< place in `blocks` of each of those that are followed
+    List<int> blocks;         ///< of the system: their nodes
+    List<int> base;  ///< where the values of each pair of `blocks` stand, by rows; -1: none
 
     /// Lists all but `base`, which is the assembly's.
     /// @throws InvalidArgument for more vectors than there is room for.

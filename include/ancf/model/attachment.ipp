@@ -4,6 +4,7 @@
 #pragma once
 
 #include <ancf/error.hpp>
+#include <ancf/list.hpp>
 #include <ancf/model/attachment.hpp>
 
 #include <algorithm>
@@ -12,8 +13,7 @@
 
 namespace ancf {
 
-ANCF_INLINE Dependence::Dependence(const Layout& layout,
-                                   const detail::Records<AttachedVector>& attachments)
+ANCF_INLINE Dependence::Dependence(const Layout& layout, const List<AttachedVector>& attachments)
     : dimension_(layout.dimension()) {
     if (attachments.empty()) return;
     vector_of_.assign(static_cast<std::size_t>(layout.size()), -1);
@@ -37,8 +37,8 @@ ANCF_INLINE Dependence::Dependence(const Layout& layout,
 // Chains: a part that is attached itself gives way to its own parts.
 ANCF_INLINE bool Dependence::resolve() {
     bool resolved = true;
-    const detail::Records<Part> given = std::exchange(parts_, {});
-    const std::vector<int> first_given = first_part_;
+    const List<Part> given = std::exchange(parts_, {});
+    const List<int> first_given = first_part_;
     const auto add = [&](std::size_t to, int first, double factor) {
         auto same = static_cast<std::size_t>(first_part_[to]);
         while (same < parts_.size() && parts_[same].first != first) ++same;
@@ -58,7 +58,7 @@ ANCF_INLINE bool Dependence::resolve() {
             resolved = false;
             const auto of = static_cast<std::size_t>(vector_of_[part.first]);
             const bool done = of < k;  // in this pass
-            const std::vector<int>& from = done ? first_part_ : first_given;
+            const List<int>& from = done ? first_part_ : first_given;
             for (int own = from[of]; own < from[of + 1]; ++own) {
                 const Part next = (done ? parts_ : given)[own];
                 add(k, next.first, part.factor * next.factor);
@@ -74,7 +74,7 @@ ANCF_INLINE void Dependence::list_followers(int coordinates) {
     for (const Part& part : parts_) ++first_follower_[static_cast<std::size_t>(part.first) + 1];
     for (std::size_t k = 1; k < first_follower_.size(); ++k)
         first_follower_[k] += first_follower_[k - 1];
-    std::vector<int> next = first_follower_;
+    List<int> next = first_follower_;
     followers_.resize(parts_.size());
     for (std::size_t k = 0; k < firsts_.size(); ++k)
         for (int p = first_part_[k]; p < first_part_[k + 1]; ++p) {
@@ -83,8 +83,8 @@ ANCF_INLINE void Dependence::list_followers(int coordinates) {
         }
 }
 
-ANCF_INLINE detail::Records<Dependence::Part> Dependence::parts(int first) const {
-    detail::Records<Part> all;
+ANCF_INLINE List<Dependence::Part> Dependence::parts(int first) const {
+    List<Part> all;
     if (!attached(first)) {
         all.push_back({first, 1.0});
         return all;
@@ -126,8 +126,7 @@ ANCF_INLINE void Dependence::carry(VectorX& forces) const {
 
 namespace detail {
 
-ANCF_INLINE FollowedVectors::FollowedVectors(const Dependence& dependence,
-                                             const std::vector<int>& list) {
+ANCF_INLINE FollowedVectors::FollowedVectors(const Dependence& dependence, const List<int>& list) {
     for (const int own : list) {
         first_part.push_back(static_cast<int>(parts.size()));
         for (const Dependence::Part& part : dependence.parts(own)) {
@@ -142,7 +141,7 @@ ANCF_INLINE FollowedVectors::FollowedVectors(const Dependence& dependence,
 ANCF_INLINE LocalCoordinates::LocalCoordinates(const Layout& layout, const Dependence& dependence,
                                                const Coupling& coupling, const char* what)
     : dimension_(layout.dimension()) {
-    std::vector<int> firsts;
+    List<int> firsts;
     bool attached = false;
     for (const NodeField& at : coupling) {
         const int first = layout.index(at);
@@ -203,8 +202,7 @@ ANCF_INLINE void LocalCoordinates::carry(MatrixX& stiffness) const {
     stiffness.swap(carried);
 }
 
-ANCF_INLINE const std::vector<int>& LocalCoordinates::carry(MatrixX& stiffness,
-                                                            std::vector<int>& active) const {
+ANCF_INLINE const List<int>& LocalCoordinates::carry(MatrixX& stiffness, List<int>& active) const {
     if (!active.empty() && followed_.parts.empty()) {
         for (int& coordinate : active) coordinate = read_[coordinate];
         return active;
@@ -222,9 +220,9 @@ ANCF_INLINE const std::vector<int>& LocalCoordinates::carry(MatrixX& stiffness,
 }
 
 /// Returns the first coordinates of the vectors of an element.
-[[nodiscard]] ANCF_INLINE std::vector<int> vectors_of(const Layout& layout, Fields fields,
-                                                      const std::array<int, 2>& nodes) {
-    std::vector<int> firsts;
+[[nodiscard]] ANCF_INLINE List<int> vectors_of(const Layout& layout, Fields fields,
+                                               const std::array<int, 2>& nodes) {
+    List<int> firsts;
     for (const int node : nodes)
         for (int k = 0; k < fields.count(); ++k)
             firsts.push_back(layout.index({{node}, fields.at(k)}));

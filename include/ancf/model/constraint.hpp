@@ -12,6 +12,7 @@
 #pragma once
 
 #include <ancf/constants.hpp>
+#include <ancf/list.hpp>
 #include <ancf/model/layout.hpp>
 #include <ancf/types.hpp>
 
@@ -20,7 +21,6 @@
 #include <string>
 #include <type_traits>
 #include <utility>
-#include <vector>
 
 namespace ancf {
 
@@ -49,9 +49,9 @@ struct ConstraintTerms {
 
 /// What a constraint gives; every array arrives sized and zero.
 struct ConstraintResult : ConstraintTerms<double> {
-    MatrixX stiffness;        ///< d(G^T lambda)/dq; without a size where there are stiffness_parts
-    std::vector<int> active;  ///< local coordinates of its rows and columns; empty: all
-    VectorX convection;       ///< c, the part of d2g/dt2 that is free of accelerations
+    MatrixX stiffness;   ///< d(G^T lambda)/dq; without a size where there are stiffness_parts
+    List<int> active;    ///< local coordinates of its rows and columns; empty: all
+    VectorX convection;  ///< c, the part of d2g/dt2 that is free of accelerations
 
     /// Makes everything zero, for so many equations in so many local coordinates, of which as many
     /// as told have a stiffness.
@@ -78,7 +78,7 @@ using DrivenAngle = decltype(double(some<T>().driven_angle(0.0)));
 
 /// Of a constraint whose stiffness couples some of its vectors.
 template <class T>
-using StiffnessParts = decltype(std::vector<Coupling>(some<T>().stiffness_parts()));
+using StiffnessParts = decltype(List<Coupling>(some<T>().stiffness_parts()));
 
 /// Of a constraint that tells g, G and g_t alone.
 template <class T>
@@ -105,7 +105,7 @@ inline constexpr bool is_constraint_v = detail::offers<detail::ConstraintMembers
 /// Optional members: `static constexpr int dimension`, of the models it belongs to.
 /// `double driven_angle(double time) const`, rad: the angle that it drives, whole turns included;
 /// no step then changes the angle by more than a sixth of a turn.
-/// `std::vector<Coupling> stiffness_parts() const`: lists of its vectors; its stiffness is zero but
+/// `List<Coupling> stiffness_parts() const`: lists of its vectors; its stiffness is zero but
 /// between vectors of one list. evaluate() then gives `stiffness` its size and lists in `active`
 /// the local coordinates of its rows. Without it there is one list of all.
 /// `terms(q, time, ConstraintTerms<double>&)`: g, G and g_t alone, cheaper where no more is needed.
@@ -126,7 +126,7 @@ public:
     /// Returns the nodal vectors it acts on.
     [[nodiscard]] Coupling coupling() const { return held_->coupling(); }
     /// Returns the lists of vectors that its stiffness couples.
-    [[nodiscard]] std::vector<Coupling> stiffness_parts() const { return held_->stiffness_parts(); }
+    [[nodiscard]] List<Coupling> stiffness_parts() const { return held_->stiffness_parts(); }
     /// Returns the number of equations, as it was when the holder was made.
     [[nodiscard]] int equations() const noexcept { return equations_; }
     /// Returns the word that messages use.
@@ -144,7 +144,7 @@ private:
     struct Interface {
         virtual ~Interface() = default;
         [[nodiscard]] virtual Coupling coupling() const = 0;
-        [[nodiscard]] virtual std::vector<Coupling> stiffness_parts() const = 0;
+        [[nodiscard]] virtual List<Coupling> stiffness_parts() const = 0;
         [[nodiscard]] virtual int equations() const = 0;
         [[nodiscard]] virtual std::string name() const = 0;
         virtual void evaluate(const ConstraintState&, ConstraintResult&) const = 0;
@@ -153,7 +153,7 @@ private:
     };
 
     // Returns one part of all vectors.
-    [[nodiscard]] static std::vector<Coupling> whole(const Coupling& all);
+    [[nodiscard]] static List<Coupling> whole(const Coupling& all);
 
     // Throws where the constraint has another number of equations than it had.
     void check_equations() const;
@@ -166,7 +166,7 @@ private:
     struct Holder final : Interface {
         explicit Holder(Constraint held) : constraint(std::move(held)) {}
         [[nodiscard]] Coupling coupling() const override { return constraint.coupling(); }
-        [[nodiscard]] std::vector<Coupling> stiffness_parts() const override {
+        [[nodiscard]] List<Coupling> stiffness_parts() const override {
             if constexpr (detail::offers<detail::StiffnessParts, Constraint>)
                 return constraint.stiffness_parts();
             else
@@ -219,16 +219,15 @@ struct DrivenTurn {
 };
 
 /// Returns the constraint that is driven furthest between two times.
-[[nodiscard]] DrivenTurn driven_turn(const std::vector<AnyConstraint>& constraints, double from,
+[[nodiscard]] DrivenTurn driven_turn(const List<AnyConstraint>& constraints, double from,
                                      double to);
 
 /// Returns into how many equal parts, a power of two, a step is cut so that no joint is driven by
 /// more than pi/12 in one. 1 where no number of parts is enough: the angle jumps.
-[[nodiscard]] int parts_for_turns(const std::vector<AnyConstraint>& constraints, double from,
-                                  double to);
+[[nodiscard]] int parts_for_turns(const List<AnyConstraint>& constraints, double from, double to);
 
 /// Returns why no step from one time or load factor to another can be taken.
-[[nodiscard]] std::string driven_turn_text(const std::vector<AnyConstraint>& constraints,
+[[nodiscard]] std::string driven_turn_text(const List<AnyConstraint>& constraints,
                                            const DrivenTurn& turn, double from, double to);
 
 }  // namespace detail

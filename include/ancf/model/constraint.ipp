@@ -5,6 +5,7 @@
 
 #include <ancf/compiler.hpp>
 #include <ancf/error.hpp>
+#include <ancf/list.hpp>
 #include <ancf/model/constraint.hpp>
 
 #include <cmath>
@@ -28,7 +29,7 @@ ANCF_INLINE void AnyConstraint::terms(const ConstraintState& state, ConstraintRe
     check_sizes(state, out, true);
 }
 
-ANCF_INLINE std::vector<Coupling> AnyConstraint::whole(const Coupling& all) { return {all}; }
+ANCF_INLINE List<Coupling> AnyConstraint::whole(const Coupling& all) { return {all}; }
 
 ANCF_INLINE void AnyConstraint::check_equations() const {
     const int now = held_->equations();
@@ -58,8 +59,7 @@ ANCF_INLINE void AnyConstraint::check_sizes(const ConstraintState& state,
 
 namespace detail {
 
-ANCF_INLINE DrivenTurn driven_turn(const std::vector<AnyConstraint>& constraints, double from,
-                                   double to) {
+ANCF_INLINE DrivenTurn driven_turn(const List<AnyConstraint>& constraints, double from, double to) {
     DrivenTurn most;
     for (std::size_t k = 0; k < constraints.size(); ++k) {
         const double turn =
@@ -69,8 +69,7 @@ ANCF_INLINE DrivenTurn driven_turn(const std::vector<AnyConstraint>& constraints
     return most;
 }
 
-ANCF_INLINE int parts_for_turns(const std::vector<AnyConstraint>& constraints, double from,
-                                double to) {
+ANCF_INLINE int parts_for_turns(const List<AnyConstraint>& constraints, double from, double to) {
     constexpr double largest_turn = 0.25 * largest_driven_turn;
     constexpr int most = 1024;
     for (int parts = 1; parts <= most; parts *= 2) {
@@ -85,7 +84,7 @@ ANCF_INLINE int parts_for_turns(const std::vector<AnyConstraint>& constraints, d
     return 1;
 }
 
-ANCF_INLINE std::string driven_turn_text(const std::vector<AnyConstraint>& constraints,
+ANCF_INLINE std::string driven_turn_text(const List<AnyConstraint>& constraints,
                                          const DrivenTurn& turn, double from, double to) {
     return joined({"constraint ", turn.constraint, " (", constraints[turn.constraint].name(),
                    ") is driven by ", turn.angle, " rad between ", from, " and ", to,

@@ -6,28 +6,28 @@
 
 #pragma once
 
+#include <ancf/list.hpp>
 #include <ancf/model/layout.hpp>
 #include <ancf/model/scene.hpp>
 
 #include <cstddef>
 #include <functional>
 #include <utility>
-#include <vector>
 
 namespace ancf::detail {
 
 /// Returns the part of each vertex of a graph. Edges may repeat, and end where they begin.
 using GraphDivision =
-    std::function<std::vector<int>(int vertices, const std::vector<std::pair<int, int>>& edges)>;
+    std::function<List<int>(int vertices, const List<std::pair<int, int>>& edges)>;
 
 /// The division of a scene by its nodes, the same wherever it is made from the same graph division.
 ///
 /// A node is of one part; an element and what couples nodes are of that of their first node; an
 /// attached node is of that of its element.
 struct Division {
-    std::vector<int> follows;      ///< the node that each node is attached to, -1
-    std::vector<int> part;         ///< of each node; -1 without vectors
-    std::vector<char> eliminated;  ///< of each node: attached, and seen by one element alone
+    List<int> follows;      ///< the node that each node is attached to, -1
+    List<int> part;         ///< of each node; -1 without vectors
+    List<char> eliminated;  ///< of each node: attached, and seen by one element alone
 
     /// Divides the graph of nodes, attached ones merged with those that they follow, and elements.
     Division(const Scene& whole, const GraphDivision& divide)
@@ -71,7 +71,7 @@ struct Division {
             return true;
         };
         const auto places = [](const auto& list, const auto& wanted) {
-            std::vector<int> found;
+            List<int> found;
             for (std::size_t k = 0; k < list.size(); ++k)
                 if (wanted(list[k])) found.push_back(static_cast<int>(k));
             return found;
@@ -96,21 +96,21 @@ struct Division {
 
 private:
     void divide_nodes(const Scene& whole, const GraphDivision& divide) {
-        std::vector<int> vertex(part.size(), -1), leaders;
+        List<int> vertex(part.size(), -1), leaders;
         for (int k = 0; k < whole.nodes(); ++k)
             if (whole.layout().size(k) > 0 && follows[k] < 0) {
                 vertex[k] = static_cast<int>(leaders.size());
                 leaders.push_back(k);
             }
-        std::vector<std::pair<int, int>> edges;
+        List<std::pair<int, int>> edges;
         for (const auto& group : whole.groups())
             for (const Connection& c : group->connections)
                 edges.emplace_back(vertex[leader(c.first)], vertex[leader(c.second)]);
-        const std::vector<int> parts = divide(static_cast<int>(leaders.size()), edges);
+        const List<int> parts = divide(static_cast<int>(leaders.size()), edges);
         for (std::size_t k = 0; k < leaders.size(); ++k) part[leaders[k]] = parts[k];
     }
     void eliminate(const Scene& whole) {
-        std::vector<int> seen(part.size(), 0);
+        List<int> seen(part.size(), 0);
         const auto see = [&](NodeId of) { seen[of.index] += 1; };
         const auto see_all = [&](const Coupling& coupling) {
             for (const NodeField& vector : coupling) see(vector.node);

@@ -12,8 +12,8 @@
 
 #include <ancf/element/fields.hpp>
 #include <ancf/error.hpp>
+#include <ancf/list.hpp>
 #include <ancf/model/layout.hpp>
-#include <ancf/records.hpp>
 #include <ancf/types.hpp>
 
 #include <array>
@@ -130,7 +130,7 @@ public:
         return type_.id == type_id<Element>() || is_of_type(*type_id<Element>());
     }
 
-    detail::Records<Connection> connections;  ///< one for each element
+    List<Connection> connections;  ///< one for each element
 
     /// Returns the number of elements.
     [[nodiscard]] int size() const noexcept { return static_cast<int>(connections.size()); }

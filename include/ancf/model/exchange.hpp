@@ -10,12 +10,12 @@
 
 #pragma once
 
+#include <ancf/list.hpp>
 #include <ancf/model/constraint.hpp>
 #include <ancf/types.hpp>
 
 #include <exception>
 #include <stdexcept>
-#include <vector>
 
 namespace ancf::detail {
 
@@ -36,7 +36,7 @@ public:
     /// Returns the number in the whole scene of an element of this part.
     [[nodiscard]] virtual int element(int group, int element) const noexcept = 0;
     /// Returns the constraints of the whole scene.
-    [[nodiscard]] virtual const std::vector<AnyConstraint>& constraints() const noexcept = 0;
+    [[nodiscard]] virtual const List<AnyConstraint>& constraints() const noexcept = 0;
 };
 
 /// Returns the largest of the numbers below 1000 that a call gives in the parts of a scene. Where

@@ -12,6 +12,7 @@
 #include <ancf/element/compiled_element.hpp>
 #include <ancf/element/pack.hpp>
 #include <ancf/element/requirement.hpp>
+#include <ancf/list.hpp>
 #include <ancf/model/element_group.hpp>
 #include <ancf/types.hpp>
 
@@ -21,7 +22,6 @@
 #include <string_view>
 #include <type_traits>
 #include <utility>
-#include <vector>
 
 namespace ancf {
 namespace detail {
@@ -116,7 +116,7 @@ public:
                         Element::dofs, detail::offers<detail::MixedEvaluationOf, Element>,
                         detail::offers<detail::OneNode, Element>}) {}
 
-    std::vector<Element> prototypes;  ///< constant data, shared by equal elements
+    List<Element> prototypes;  ///< constant data, shared by equal elements
 
     /// Returns the prototype of an element.
     /// @throws InvalidArgument for an index of no element.

@@ -8,10 +8,9 @@
 #pragma once
 
 #include <ancf/element/fields.hpp>
-#include <ancf/records.hpp>
+#include <ancf/list.hpp>
 
 #include <type_traits>
-#include <vector>
 
 namespace ancf {
 
@@ -32,7 +31,7 @@ struct NodeField {
 };
 
 /// The vectors that a load or a constraint acts on, in the order of its local coordinates.
-using Coupling = std::vector<NodeField>;
+using Coupling = List<NodeField>;
 
 namespace detail {
 
@@ -52,7 +51,7 @@ public:
     Layout() = default;
 
     /// Makes the order for the fields of every node.
-    Layout(int dimension, const detail::Records<Fields>& fields) : dimension_(dimension) {
+    Layout(int dimension, const List<Fields>& fields) : dimension_(dimension) {
         for (const Fields of : fields) append(of);
     }
 
@@ -118,9 +117,9 @@ public:
 
 private:
     int dimension_ = 0;
-    detail::Records<Fields> fields_;
-    std::vector<int> first_ = {0};
-    std::vector<double> shares_;
+    List<Fields> fields_;
+    List<int> first_ = {0};
+    List<double> shares_;
 };
 
 }  // namespace ancf

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <ancf/error.hpp>
+#include <ancf/list.hpp>
 #include <ancf/model/scene.hpp>
 #include <ancf/types.hpp>
 #include <ancf/vector_argument.hpp>
@@ -15,7 +16,6 @@
 #include <cstddef>
 #include <type_traits>
 #include <utility>
-#include <vector>
 
 namespace ancf {
 
@@ -169,8 +169,8 @@ public:
     /// @param about     a point, m.
     /// @throws InvalidArgument unless every value is finite, for a node that does not exist, for
     ///         nodes that are all attached or carry nothing, and for a state of another model.
-    void set_rigid_rates(const std::vector<NodeId>& nodes, const Argument& velocity,
-                         const Spin& spin, const Argument& about = Point(Point::Zero())) {
+    void set_rigid_rates(const List<NodeId>& nodes, const Argument& velocity, const Spin& spin,
+                         const Argument& about = Point(Point::Zero())) {
         const auto turned = [&](const Point& vector) -> Point {
             if constexpr (Dimension == 3)
                 return cross<double>(spin, vector);
@@ -206,7 +206,7 @@ public:
     /// @throws InvalidArgument as the other one.
     void set_rigid_rates(const Argument& velocity, const Spin& spin,
                          const Argument& about = Point(Point::Zero())) {
-        std::vector<NodeId> all(static_cast<std::size_t>(nodes()));
+        List<NodeId> all(static_cast<std::size_t>(nodes()));
         for (int node = 0; node < nodes(); ++node) all[node] = {node};
         set_rigid_rates(all, velocity, spin, about);
     }

@@ -12,6 +12,7 @@
 
 #include <ancf/compiler.hpp>
 #include <ancf/error.hpp>
+#include <ancf/list.hpp>
 #include <ancf/model/attachment.hpp>
 #include <ancf/model/constraint.hpp>
 #include <ancf/model/element_group.hpp>
@@ -20,21 +21,19 @@
 #include <ancf/model/layout.hpp>
 #include <ancf/model/load.hpp>
 #include <ancf/model/state.hpp>
-#include <ancf/records.hpp>
 #include <ancf/types.hpp>
 
 #include <algorithm>
 #include <array>
 #include <memory>
 #include <utility>
-#include <vector>
 
 namespace ancf {
 
 /// Returns lines between points, constant before the first and behind the last.
 /// @param points  time, s (in statics the load factor), and factor, by rising time.
 /// @throws InvalidArgument unless there are points, finite and of rising times.
-[[nodiscard]] Amplitude tabular_amplitude(std::vector<std::pair<double, double>> points);
+[[nodiscard]] Amplitude tabular_amplitude(List<std::pair<double, double>> points);
 
 /// A load with its course over time; without one it follows the ramp of an Instant.
 struct ScaledLoad {
@@ -66,17 +65,17 @@ struct PointMass {
 
 /// What of a scene a part holds: indices in the lists of the scene.
 struct ScenePart {
-    std::vector<std::vector<int>> elements;  ///< of each group: indices of its elements
-    std::vector<int> loads;                  ///< indices in loads()
-    std::vector<int> constraints;            ///< indices in constraints()
-    std::vector<int> masses;                 ///< indices in masses()
-    std::vector<char> nodes;                 ///< of every node: whether the part has it
+    List<List<int>> elements;  ///< of each group: indices of its elements
+    List<int> loads;           ///< indices in loads()
+    List<int> constraints;     ///< indices in constraints()
+    List<int> masses;          ///< indices in masses()
+    List<char> nodes;          ///< of every node: whether the part has it
 };
 
 namespace detail {
 
 /// Groups of elements; a copy of the list has copies of them.
-struct ElementGroups : std::vector<std::unique_ptr<ElementGroup>> {
+struct ElementGroups : List<std::unique_ptr<ElementGroup>> {
     ElementGroups() = default;
     ElementGroups(const ElementGroups& other) : ElementGroups() {
         for (const auto& group : other) push_back(group->clone());
@@ -95,15 +94,15 @@ protected:
         bool held = false;  // clamped or attached, each vector that it had
     };
 
-    Records<InitialNode> initial_;
+    List<InitialNode> initial_;
     ElementGroups groups_;
-    std::vector<Support> supports_;
-    std::vector<int> support_before_;  // of the same node: place in supports_, -1: none
-    std::vector<ScaledLoad> loads_;
-    std::vector<AnyConstraint> constraints_;
-    Records<AttachedVector> attachments_;
-    std::vector<int> attachment_before_;  // likewise
-    Records<PointMass> masses_;
+    List<Support> supports_;
+    List<int> support_before_;  // of the same node: place in supports_, -1: none
+    List<ScaledLoad> loads_;
+    List<AnyConstraint> constraints_;
+    List<AttachedVector> attachments_;
+    List<int> attachment_before_;  // likewise
+    List<PointMass> masses_;
     std::array<double, 3> gravity_ = {};
     Amplitude gravity_amplitude_;
     std::shared_ptr<const Exchange> exchange_;
@@ -116,8 +115,8 @@ protected:
     mutable bool state_stale_ = true;   // state_ and dependence_
     mutable int state_nodes_ = 0;       // nodes in state_: the first ones of layout_
     mutable Layout layout_;
-    mutable Records<std::array<double, 2>> torsion_;  // stiffness at each node of layout_
-    mutable std::vector<int> counted_;                // of each group: elements in torsion_
+    mutable List<std::array<double, 2>> torsion_;  // stiffness at each node of layout_
+    mutable List<int> counted_;                    // of each group: elements in torsion_
     mutable Dependence dependence_;
     mutable State state_;
 };
@@ -176,7 +175,7 @@ public:
     }
 
     /// Returns the groups of all types, in their order.
-    [[nodiscard]] const std::vector<std::unique_ptr<ElementGroup>>& groups() const noexcept {
+    [[nodiscard]] const List<std::unique_ptr<ElementGroup>>& groups() const noexcept {
         return groups_;
     }
 
@@ -331,29 +330,25 @@ public:
     /// Returns the number of nodes.
     [[nodiscard]] int nodes() const noexcept { return static_cast<int>(initial_.size()); }
     /// Returns what is held or driven.
-    [[nodiscard]] const std::vector<Support>& supports() const noexcept { return supports_; }
+    [[nodiscard]] const List<Support>& supports() const noexcept { return supports_; }
     /// Returns the loads.
-    [[nodiscard]] const std::vector<ScaledLoad>& loads() const noexcept { return loads_; }
+    [[nodiscard]] const List<ScaledLoad>& loads() const noexcept { return loads_; }
     /// Tells whether the stiffness of every load is symmetric.
     [[nodiscard]] bool has_symmetric_loads() const noexcept {
         return std::all_of(loads_.begin(), loads_.end(),
                            [](const ScaledLoad& load) { return load.load.symmetric(); });
     }
     /// Returns the constraints.
-    [[nodiscard]] const std::vector<AnyConstraint>& constraints() const noexcept {
-        return constraints_;
-    }
+    [[nodiscard]] const List<AnyConstraint>& constraints() const noexcept { return constraints_; }
     /// Returns the attached vectors.
-    [[nodiscard]] const detail::Records<AttachedVector>& attachments() const noexcept {
-        return attachments_;
-    }
+    [[nodiscard]] const List<AttachedVector>& attachments() const noexcept { return attachments_; }
     /// Returns what the attached vectors follow.
     [[nodiscard]] const Dependence& dependence() const {
         update_state();
         return dependence_;
     }
     /// Returns the masses at nodes.
-    [[nodiscard]] const detail::Records<PointMass>& masses() const noexcept { return masses_; }
+    [[nodiscard]] const List<PointMass>& masses() const noexcept { return masses_; }
     /// Returns a component of the acceleration of gravity, m/s^2.
     [[nodiscard]] double gravity_component(int k) const { return gravity_[k]; }
     /// Returns the factor of gravity at an instant.

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <ancf/list.hpp>
 #include <ancf/model/scene.hpp>
 
 #include <algorithm>
@@ -11,7 +12,7 @@
 
 namespace ancf {
 
-ANCF_INLINE Amplitude tabular_amplitude(std::vector<std::pair<double, double>> points) {
+ANCF_INLINE Amplitude tabular_amplitude(List<std::pair<double, double>> points) {
     detail::require(!points.empty(), "tabular_amplitude: at least one point is needed");
     for (std::size_t k = 0; k < points.size(); ++k) {
         const auto [time, value] = points[k];
@@ -75,7 +76,7 @@ ANCF_INLINE std::unique_ptr<Scene> Scene::part(
     }
     for (std::size_t k = 0; k < groups_.size(); ++k) {
         part->groups_.push_back(groups_[k]->clone());
-        detail::Records<Connection>& connections = part->groups_.back()->connections;
+        List<Connection>& connections = part->groups_.back()->connections;
         connections = {};
         for (const int element : held.elements[k])
             connections.push_back(groups_[k]->connection(element));
@@ -106,7 +107,7 @@ ANCF_INLINE std::unique_ptr<Scene> Scene::part(
         }
     }
     to.time = from.time;
-    std::vector<int> first = {0};  // multiplier of each constraint
+    List<int> first = {0};  // multiplier of each constraint
     for (const AnyConstraint& constraint : constraints_)
         first.push_back(first.back() + constraint.equations());
     Eigen::Index next = 0;
@@ -244,7 +245,7 @@ ANCF_INLINE void Scene::clamp(NodeId node, Clamp clamp) {
 ANCF_INLINE void Scene::release(NodeId node, Field field) {
     check(node);
     check_unattached("release", node, field);
-    std::vector<Support> before;
+    List<Support> before;
     std::swap(before, supports_);
     support_before_.clear();
     for (const Support& support : before) initial_[support.node.index].last_support = -1;
@@ -278,7 +279,7 @@ ANCF_INLINE void Scene::attach(NodeId end, NodeId joint, Fields vectors) {
     const auto& to = initial_[joint.index].vectors;
     // sums of a user's coordinates: what round-off leaves of an offset is none
     constexpr double round_off = 1e-12;
-    std::vector<AttachedVector> attachments;
+    List<AttachedVector> attachments;
     Fields followed;
     for (int k = 0; k < vectors.count(); ++k) {
         const Field field = vectors.at(k);

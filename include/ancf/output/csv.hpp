@@ -9,6 +9,8 @@
 
 #pragma once
 
+#include <ancf/list.hpp>
+
 #include <cstddef>
 #include <iosfwd>
 #include <string>
@@ -43,6 +45,8 @@ public:
     /// Writes a row of numbers.
     /// @throws InvalidArgument for another number of values.
     void row(const std::vector<double>& values);
+    /// The same for a List.
+    void row(const List<double>& values) { row(std::vector<double>(values)); }
 
 private:
     template <class Value>

@@ -10,6 +10,7 @@
 
 #include <ancf/assembly/numbering.hpp>
 #include <ancf/compiler.hpp>
+#include <ancf/list.hpp>
 #include <ancf/model/division.hpp>
 #include <ancf/model/exchange.hpp>
 #include <ancf/model/scene.hpp>
@@ -25,11 +26,11 @@ namespace ancf::petsc::detail {
 
 /// The rows of the equations of a part in the system of all parts.
 struct Rows {
-    PetscInt first = 0, last = 0;        ///< its rows are first to last - 1
-    int block = 1;                       ///< how many rows form a block
-    std::vector<PetscInt> of_equation;   ///< row of each one; -1 of one that is eliminated
-    std::vector<std::vector<int>> sets;  ///< of equations that are eliminated together, ascending
-    std::vector<PetscInt> idle;          ///< own rows without an equation
+    PetscInt first = 0, last = 0;       ///< its rows are first to last - 1
+    int block = 1;                      ///< how many rows form a block
+    std::vector<PetscInt> of_equation;  ///< row of each one; -1 of one that is eliminated
+    List<List<int>> sets;               ///< of equations that are eliminated together, ascending
+    std::vector<PetscInt> idle;         ///< own rows without an equation
 
     /// Tells whether this process has a row.
     [[nodiscard]] bool own(PetscInt k) const noexcept { return k >= first && k < last; }
@@ -64,7 +65,7 @@ public:
     [[nodiscard]] int element(int group, int element) const noexcept override {
         return held_.elements[group][element];
     }
-    [[nodiscard]] const std::vector<AnyConstraint>& constraints() const noexcept override {
+    [[nodiscard]] const List<AnyConstraint>& constraints() const noexcept override {
         return whole_.constraints();
     }
 

@@ -16,12 +16,12 @@ namespace ancf::petsc::detail {
 
 /// Returns the process of each vertex of a graph, the same in every process: fewer than 16 a
 /// process in the order of their numbers. Every process has the whole graph.
-[[nodiscard]] ANCF_INLINE std::vector<int> parts_of_graph(
-    MPI_Comm comm, const std::string& prefix, int vertices,
-    const std::vector<std::pair<int, int>>& edges) {
+[[nodiscard]] ANCF_INLINE List<int> parts_of_graph(MPI_Comm comm, const std::string& prefix,
+                                                   int vertices,
+                                                   const List<std::pair<int, int>>& edges) {
     const int rank = Session::rank(comm), ranks = Session::ranks(comm);
     std::vector<PetscInt> shares = {0};  // process r tells the edges from shares[r] to before r + 1
-    std::vector<int> parts;
+    List<int> parts;
     for (int r = 0; r < ranks; ++r) {
         shares.push_back(static_cast<PetscInt>((r + 1L) * vertices / ranks));
         parts.resize(shares.back(), r);
@@ -101,7 +101,7 @@ ANCF_INLINE int Partition::number_in_part(const ElementGroup& group, int element
     while (k < held_.elements.size() && whole_.groups()[k].get() != &group) ++k;
     ancf::detail::require(k < held_.elements.size(),
                           "petsc: the scene had no element of this type when it was divided");
-    const std::vector<int>& own = held_.elements[k];
+    const List<int>& own = held_.elements[k];
     const auto found = std::lower_bound(own.begin(), own.end(), element);
     return found != own.end() && *found == element ? static_cast<int>(found - own.begin()) : -1;
 }
@@ -203,7 +203,7 @@ ANCF_INLINE Rows Partition::rows(const Scene& part, const Numbering& numbering) 
     // unknowns of an element without rows are eliminated together
     for (const auto& group : part.groups())
         for (const Connection& c : group->connections) {
-            std::vector<int> set;
+            List<int> set;
             for (const NodeId node : {c.first, c.second})
                 for (int k = layout.first(node.index); k < layout.first(node.index + 1); ++k)
                     if (equation[k] >= 0 && number[k] == 0.0) set.push_back(equation[k]);

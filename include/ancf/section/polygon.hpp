@@ -7,9 +7,8 @@
 
 #pragma once
 
+#include <ancf/list.hpp>
 #include <ancf/section/section.hpp>
-
-#include <vector>
 
 namespace ancf {
 
@@ -27,8 +26,7 @@ namespace ancf {
 /// @param origin  where the reference axis runs, in the points' coordinates, m.
 /// @throws InvalidArgument naming the points if there are too few, one is not finite, two
 ///         neighbours coincide, or the boundary touches or crosses itself.
-[[nodiscard]] Section polygon(const std::vector<SectionPoint>& points,
-                              SectionPoint origin = {0.0, 0.0});
+[[nodiscard]] Section polygon(const List<SectionPoint>& points, SectionPoint origin = {0.0, 0.0});
 
 }  // namespace ancf
 

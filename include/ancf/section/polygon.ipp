@@ -5,6 +5,7 @@
 
 #include <ancf/compiler.hpp>
 #include <ancf/error.hpp>
+#include <ancf/list.hpp>
 #include <ancf/section/moments.hpp>
 #include <ancf/section/polygon.hpp>
 
@@ -41,7 +42,7 @@ ANCF_INLINE bool intersect(SectionPoint a, SectionPoint b, SectionPoint c,
 }
 
 /// Throws unless the points bound an area without touching or crossing themselves.
-ANCF_INLINE void require_simple(const std::vector<SectionPoint>& points) {
+ANCF_INLINE void require_simple(const List<SectionPoint>& points) {
     const std::size_t count = points.size();
     require(count >= 3, "a polygon needs at least 3 points, got ", count);
     for (std::size_t i = 0; i < count; ++i) {
@@ -85,7 +86,7 @@ ANCF_INLINE void add_triangle(MomentTable& table, SectionPoint p, SectionPoint q
 
 }  // namespace detail
 
-ANCF_INLINE Section polygon(const std::vector<SectionPoint>& points, SectionPoint origin) {
+ANCF_INLINE Section polygon(const List<SectionPoint>& points, SectionPoint origin) {
     detail::require_finite("y of the polygon's origin", origin.y);
     detail::require_finite("z of the polygon's origin", origin.z);
     detail::require_simple(points);
@@ -95,7 +96,7 @@ ANCF_INLINE Section polygon(const std::vector<SectionPoint>& points, SectionPoin
         mean.z += point.z / static_cast<double>(points.size());
     }
     detail::MomentTable table{};
-    detail::Records<SectionPoint> outline;
+    List<SectionPoint> outline;
     for (std::size_t i = 0; i < points.size(); ++i) {
         const SectionPoint p = points[i], q = points[(i + 1) % points.size()];
         detail::add_triangle(table, {p.y - mean.y, p.z - mean.z}, {q.y - mean.y, q.z - mean.z});

@@ -11,12 +11,11 @@
 
 #pragma once
 
-#include <ancf/records.hpp>
+#include <ancf/list.hpp>
 #include <ancf/section/moments.hpp>
 
 #include <optional>
 #include <utility>
-#include <vector>
 
 namespace ancf {
 
@@ -80,7 +79,7 @@ public:
 
     /// Returns the outer boundary, counter-clockwise (y towards z), as a polygon for pictures; a
     /// section given by moments has the parallelogram of the same radii of gyration.
-    [[nodiscard]] const detail::Records<SectionPoint>& outline() const noexcept { return outline_; }
+    [[nodiscard]] const List<SectionPoint>& outline() const noexcept { return outline_; }
 
     /// Returns the same section with other shear correction factors, 1.
     /// @throws InvalidArgument unless both are positive and finite.
@@ -105,14 +104,14 @@ public:
 
     /// Returns the same section with another outline, for pictures only.
     /// @throws InvalidArgument unless every point is finite.
-    [[nodiscard]] Section with_outline(detail::Records<SectionPoint> outline) const;
+    [[nodiscard]] Section with_outline(List<SectionPoint> outline) const;
 
 private:
-    friend Section polygon(const std::vector<SectionPoint>& points, SectionPoint origin);
+    friend Section polygon(const List<SectionPoint>& points, SectionPoint origin);
     friend Section rectangle(double width, double height);
     friend Section offset(const Section& section, double dy, double dz);
 
-    Section(const Moments& moments, detail::Records<SectionPoint> outline)
+    Section(const Moments& moments, List<SectionPoint> outline)
         : moments_(moments), outline_(std::move(outline)) {}
 
     [[nodiscard]] const std::pair<double, double>& shear_correction() const;
@@ -122,7 +121,7 @@ private:
     std::optional<std::pair<double, double>> shear_correction_;
     std::optional<double> torsion_constant_;
     std::optional<SectionPoint> shear_centre_;
-    detail::Records<SectionPoint> outline_;
+    List<SectionPoint> outline_;
 };
 
 /// Returns the torsion constant of a solid rectangle, m^4.
@@ -164,7 +163,7 @@ private:
 
 namespace detail {
 
-[[nodiscard]] Records<SectionPoint> rectangle_outline(double width, double height);
+[[nodiscard]] List<SectionPoint> rectangle_outline(double width, double height);
 
 /// Returns the moments of a centred rectangle, sides in m.
 [[nodiscard]] Moments rectangle_moments(double width, double height) noexcept;

@@ -6,6 +6,7 @@
 #include <ancf/compiler.hpp>
 #include <ancf/constants.hpp>
 #include <ancf/error.hpp>
+#include <ancf/list.hpp>
 #include <ancf/section/section.hpp>
 
 #include <algorithm>
@@ -27,15 +28,15 @@ ANCF_INLINE double rectangle_torsion_constant(double width, double height) {
 
 namespace detail {
 
-ANCF_INLINE Records<SectionPoint> rectangle_outline(double width, double height) {
+ANCF_INLINE List<SectionPoint> rectangle_outline(double width, double height) {
     const double y = height / 2.0;
     const double z = width / 2.0;
     return {{-y, -z}, {y, -z}, {y, z}, {-y, z}};
 }
 
-ANCF_INLINE Records<SectionPoint> circle_outline(double radius) {
+ANCF_INLINE List<SectionPoint> circle_outline(double radius) {
     constexpr int count = 48;
-    Records<SectionPoint> points;
+    List<SectionPoint> points;
     for (int k = 0; k < count; ++k) {
         const double angle = 2.0 * pi * k / count;
         points.push_back({radius * std::cos(angle), radius * std::sin(angle)});
@@ -78,13 +79,13 @@ ANCF_INLINE Moments hollowed(Moments outer, const Moments& hole) noexcept {
 }
 
 /// Returns the image of a square that has the centroid and the radii of gyration of the moments.
-ANCF_INLINE Records<SectionPoint> equivalent_outline(const Moments& moments) {
+ANCF_INLINE List<SectionPoint> equivalent_outline(const Moments& moments) {
     const Moments centred = centroidal(moments);
     const double half = std::sqrt(3.0);  // a square of this half side has unit radii of gyration
     const double yy = std::sqrt(centred.yy / centred.area);
     const double zy = centred.yz / centred.area / yy;
     const double zz = std::sqrt(centred.zz / centred.area - zy * zy);
-    Records<SectionPoint> points;
+    List<SectionPoint> points;
     for (const auto& [u, v] :
          {SectionPoint{-half, -half}, {half, -half}, {half, half}, {-half, half}})
         points.push_back(
@@ -143,7 +144,7 @@ ANCF_INLINE Section Section::with_mass_moments(const Moments& moments) const {
     return section;
 }
 
-ANCF_INLINE Section Section::with_outline(detail::Records<SectionPoint> outline) const {
+ANCF_INLINE Section Section::with_outline(List<SectionPoint> outline) const {
     for (const SectionPoint& point : outline)
         detail::require(std::isfinite(point.y) && std::isfinite(point.z),
                         "Section: points of the outline must be finite, got (", point.y, ", ",

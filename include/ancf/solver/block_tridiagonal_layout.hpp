@@ -7,12 +7,11 @@
 #pragma once
 
 #include <ancf/compiler.hpp>
-#include <ancf/records.hpp>
+#include <ancf/list.hpp>
 #include <ancf/types.hpp>
 
 #include <string_view>
 #include <type_traits>
-#include <vector>
 
 namespace ancf::detail {
 
@@ -34,9 +33,9 @@ auto with_block_width(int width, const Action& action) {
 
 /// Where the blocks of a chain start, and how wide the panels are.
 struct BlockLayout {
-    std::vector<int> starts = {0};  ///< first column of each block, and the size of the matrix
-    Records<char> dense;            ///< 1 where a panel is full and contiguous in the matrix
-    int width = 0;                  ///< of the panels, not less than any block
+    List<int> starts = {0};  ///< first column of each block, and the size of the matrix
+    List<char> dense;        ///< 1 where a panel is full and contiguous in the matrix
+    int width = 0;           ///< of the panels, not less than any block
 
     [[nodiscard]] int blocks() const noexcept { return static_cast<int>(starts.size()) - 1; }
     [[nodiscard]] int start(int block) const noexcept { return starts[block]; }
@@ -53,19 +52,19 @@ struct BlockLayout {
 /// the profile of the block before it does.
 /// @param matrix  of symmetric pattern, all of it or its lower half.
 /// @param rows    of the leading part that is looked at.
-[[nodiscard]] std::vector<int> chain_starts(const SparseMatrix& matrix, int rows);
+[[nodiscard]] List<int> chain_starts(const SparseMatrix& matrix, int rows);
 
 /// Returns those of all of a matrix.
-[[nodiscard]] inline std::vector<int> chain_starts(const SparseMatrix& matrix) {
+[[nodiscard]] inline List<int> chain_starts(const SparseMatrix& matrix) {
     return chain_starts(matrix, static_cast<int>(matrix.cols()));
 }
 
 /// Returns the size of the largest block.
-[[nodiscard]] int widest_block(const std::vector<int>& starts);
+[[nodiscard]] int widest_block(const List<int>& starts);
 
 /// Returns the layout of a chain in panels of the given width.
 /// @param outer  where each column of its lower half begins, and their end.
-[[nodiscard]] BlockLayout block_layout(const int* outer, const std::vector<int>& starts, int width);
+[[nodiscard]] BlockLayout block_layout(const int* outer, const List<int>& starts, int width);
 
 /// Returns the layout of a chain in panels of the narrowest compiled width that holds its blocks.
 /// @param solver  for the message

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <ancf/error.hpp>
+#include <ancf/list.hpp>
 #include <ancf/solver/block_tridiagonal_layout.hpp>
 
 #include <algorithm>
@@ -13,8 +14,8 @@ namespace ancf::detail {
 
 /// Returns for each of the leading columns the end of its profile: one more than the last of the
 /// leading rows reached by it or by a column before it.
-ANCF_INLINE std::vector<int> profile_ends(const SparseMatrix& matrix, int rows) {
-    std::vector<int> ends(static_cast<std::size_t>(rows));
+ANCF_INLINE List<int> profile_ends(const SparseMatrix& matrix, int rows) {
+    List<int> ends(static_cast<std::size_t>(rows));
     const int* outer = matrix.outerIndexPtr();
     const int* inner = matrix.innerIndexPtr();
     int end = 0;
@@ -28,9 +29,9 @@ ANCF_INLINE std::vector<int> profile_ends(const SparseMatrix& matrix, int rows) 
     return ends;
 }
 
-ANCF_INLINE std::vector<int> chain_starts(const SparseMatrix& matrix, int rows) {
-    const std::vector<int> ends = profile_ends(matrix, rows);
-    std::vector<int> starts = {0};
+ANCF_INLINE List<int> chain_starts(const SparseMatrix& matrix, int rows) {
+    const List<int> ends = profile_ends(matrix, rows);
+    List<int> starts = {0};
     int reach = 0;  // of the block before: rows that the next block has to hold
     while (starts.back() < rows) {
         const int first = starts.back();
@@ -47,16 +48,16 @@ ANCF_INLINE std::vector<int> chain_starts(const SparseMatrix& matrix, int rows) 
     return starts;
 }
 
-ANCF_INLINE int widest_block(const std::vector<int>& starts) {
+ANCF_INLINE int widest_block(const List<int>& starts) {
     int widest = 0;
     for (std::size_t k = 1; k < starts.size(); ++k)
         widest = std::max(widest, starts[k] - starts[k - 1]);
     return widest;
 }
 
-ANCF_INLINE BlockLayout block_layout(const int* outer, const std::vector<int>& starts, int width) {
+ANCF_INLINE BlockLayout block_layout(const int* outer, const List<int>& starts, int width) {
     BlockLayout layout;
-    std::vector<int>& joined = layout.starts;  // neighbours, as long as they fit into a panel
+    List<int>& joined = layout.starts;  // neighbours, as long as they fit into a panel
     for (std::size_t k = 1; k < starts.size(); ++k) {
         if (joined.size() > 1 && starts[k] - joined[joined.size() - 2] <= width) joined.pop_back();
         joined.push_back(starts[k]);
@@ -75,7 +76,7 @@ ANCF_INLINE BlockLayout block_layout(const int* outer, const std::vector<int>& s
 }
 
 ANCF_INLINE BlockLayout chain_layout(std::string_view solver, const SparseMatrix& lower) {
-    const std::vector<int> starts = chain_starts(lower);
+    const List<int> starts = chain_starts(lower);
     const int widest = widest_block(starts);
     require(widest <= widest_compiled_block, solver, " needs a chain of blocks of at most ",
             widest_compiled_block, " unknowns, got a block of ", widest);

@@ -4,12 +4,12 @@
 #pragma once
 
 #include <ancf/error.hpp>
+#include <ancf/list.hpp>
 #include <ancf/solver/bordered_chain.hpp>
 #include <ancf/solver/direct_solver.hpp>
 #include <ancf/solver/eigen_lu.hpp>
 
 #include <complex>
-#include <vector>
 
 namespace ancf {
 namespace detail {
@@ -28,7 +28,7 @@ public:
         pattern_ = pattern;
     }
 
-    [[nodiscard]] Status factorize(const std::vector<std::complex<double>>& values) override {
+    [[nodiscard]] Status factorize(const List<std::complex<double>>& values) override {
         by_chain_ =
             is_chain_ && values.size() == factors_.entries() && factors_.factorize(values.data());
         if (by_chain_) return Status::converged;

@@ -16,6 +16,7 @@
 #pragma once
 
 #include <ancf/algebra.hpp>
+#include <ancf/list.hpp>
 #include <ancf/solver/block_tridiagonal_layout.hpp>
 #include <ancf/solver/dense_lu.hpp>
 #include <ancf/types.hpp>
@@ -23,7 +24,6 @@
 #include <algorithm>
 #include <complex>
 #include <cstddef>
-#include <vector>
 
 namespace ancf::detail {
 
@@ -76,14 +76,14 @@ private:
     int chain_ = 0, border_ = 0;  // numbers of unknowns
     SparseMatrix pattern_;        // of all entries
     BlockLayout layout_;
-    std::vector<int> chain_outer_, chain_inner_, chain_slots_;  // lower half of A
-    std::vector<Entry> across_, corner_;  // B, and C; their rows counted from 0
-    std::vector<int> diagonal_;           // slots, -1: no entry
-    std::vector<Scalar> chain_values_, panels_;
-    std::vector<Scalar> columns_;  // A^-1 B^T
-    DenseLu<Scalar> small_;        // of S
-    std::vector<double> scales_;   // of the unknowns, by which the diagonal of A becomes one
-    std::vector<Scalar> probe_;
+    List<int> chain_outer_, chain_inner_, chain_slots_;  // lower half of A
+    List<Entry> across_, corner_;                        // B, and C; their rows counted from 0
+    List<int> diagonal_;                                 // slots, -1: no entry
+    List<Scalar> chain_values_, panels_;
+    List<Scalar> columns_;   // A^-1 B^T
+    DenseLu<Scalar> small_;  // of S
+    List<double> scales_;    // of the unknowns, by which the diagonal of A becomes one
+    List<Scalar> probe_;
     VectorX roots_, load_;  // what the kernel of doubles leaves beside its factors
 };
 

@@ -7,12 +7,12 @@
 #pragma once
 
 #include <ancf/error.hpp>
+#include <ancf/list.hpp>
 #include <ancf/types.hpp>
 
 #include <complex>
 #include <memory>
 #include <string_view>
-#include <vector>
 
 namespace ancf {
 
@@ -35,7 +35,7 @@ public:
     /// Factorises values in the order of the pattern's.
     /// @param values  as many as the pattern has.
     /// @return converged, singular or not_finite.
-    [[nodiscard]] virtual Status factorize(const std::vector<std::complex<double>>& values) = 0;
+    [[nodiscard]] virtual Status factorize(const List<std::complex<double>>& values) = 0;
 
     /// Replaces b by the solution, after a factorisation that converged.
     virtual void solve(ComplexVectorX& b) const = 0;

@@ -5,6 +5,7 @@
 
 #include <ancf/algebra.hpp>
 #include <ancf/error.hpp>
+#include <ancf/list.hpp>
 #include <ancf/solver/block_tridiagonal.hpp>
 #include <ancf/solver/block_tridiagonal_kernel.hpp>
 #include <ancf/solver/block_tridiagonal_layout.hpp>
@@ -18,7 +19,6 @@
 #include <cstddef>
 #include <numeric>
 #include <string_view>
-#include <vector>
 
 namespace ancf {
 namespace detail {
@@ -33,11 +33,11 @@ public:
         require_storage(name(), pattern, Storage::lower);
         layout_ = chain_layout(name(), pattern);
         outer_.assign(pattern.outerIndexPtr(), pattern.outerIndexPtr() + pattern.cols() + 1);
-        inner_.assign(pattern.innerIndexPtr(), pattern.innerIndexPtr() + pattern.nonZeros());
+        inner_.assign(pattern.innerIndexPtr(), pattern.innerIndexPtr() + entries(pattern));
         panels_.resize(layout_.panel_entries());
     }
 
-    [[nodiscard]] Status factorize(const std::vector<std::complex<double>>& values) override {
+    [[nodiscard]] Status factorize(const List<std::complex<double>>& values) override {
         require(values.size() == inner_.size(), name(), ": expected ", inner_.size(),
                 " values, got ", values.size());
         for (const std::complex<double>& value : values)
@@ -57,7 +57,7 @@ public:
 
 private:
     BlockLayout layout_;
-    std::vector<int> outer_, inner_;
+    List<int> outer_, inner_;
     ComplexVectorX panels_;
 };
 
@@ -77,13 +77,15 @@ public:
         SparseMatrix places = pattern;  // from 1 on: none vanishes
         std::iota(places.valuePtr(), places.valuePtr() + given_, 1.0);
         magnitudes_ = leading_block(places, static_cast<int>(pattern.cols()), storage_);
-        from_.assign(magnitudes_.valuePtr(), magnitudes_.valuePtr() + entries(magnitudes_));
+        from_.clear();
+        for (int k = 0; k < entries(magnitudes_); ++k)
+            from_.push_back(static_cast<std::size_t>(magnitudes_.valuePtr()[k]));
         matrix_ = magnitudes_.cast<std::complex<double>>();
         lu_ = std::make_unique<Eigen::SparseLU<Matrix, Ordering>>();
         if (matrix_.cols() > 0) lu_->analyzePattern(matrix_);
     }
 
-    [[nodiscard]] Status factorize(const std::vector<std::complex<double>>& values) override {
+    [[nodiscard]] Status factorize(const List<std::complex<double>>& values) override {
         require(lu_ != nullptr && values.size() == given_, name(), ": expected ", given_,
                 " values, got ", values.size());
         for (std::size_t k = 0; k < from_.size(); ++k) {
@@ -114,10 +116,10 @@ private:
 
     Storage storage_;
     std::size_t given_ = 0;
-    Matrix matrix_;                  // both halves
-    std::vector<std::size_t> from_;  // of each of its values the place, from 1 on, in those given
-    SparseMatrix magnitudes_;        // of its values
-    VectorX rows_;                   // scales
+    Matrix matrix_;            // both halves
+    List<std::size_t> from_;   // of each of its values the place, from 1 on, in those given
+    SparseMatrix magnitudes_;  // of its values
+    VectorX rows_;             // scales
     std::unique_ptr<Eigen::SparseLU<Matrix, Ordering>> lu_;
 };
 

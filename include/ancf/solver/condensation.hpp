@@ -7,6 +7,7 @@
 #pragma once
 
 #include <ancf/algebra.hpp>
+#include <ancf/list.hpp>
 #include <ancf/solver/dense_lu.hpp>
 #include <ancf/types.hpp>
 
@@ -14,15 +15,14 @@
 #include <cstddef>
 #include <numeric>
 #include <utility>
-#include <vector>
 
 namespace ancf::detail {
 
 /// Calls visit(i, j, k) for the entries of a matrix in rows[i] and columns[j], ascending; k is the
 /// place of the stored entry, -1 where there is none.
 template <class Visitor>
-void visit_block(const SparseMatrix& matrix, const std::vector<int>& rows,
-                 const std::vector<int>& columns, const Visitor& visit) {
+void visit_block(const SparseMatrix& matrix, const List<int>& rows, const List<int>& columns,
+                 const Visitor& visit) {
     const int* const inner = matrix.innerIndexPtr();
     for (std::size_t j = 0; j < columns.size(); ++j) {
         const int* found = inner + matrix.outerIndexPtr()[columns[j]];
@@ -46,15 +46,14 @@ public:
     /// @param pattern    of full storage.
     /// @param sets       ascending, apart, and without entries between two of them.
     /// @param symmetric  whether values are.
-    Condensation(const SparseMatrix& pattern, const std::vector<std::vector<int>>& sets,
-                 bool symmetric)
+    Condensation(const SparseMatrix& pattern, const List<List<int>>& sets, bool symmetric)
         : symmetric_(symmetric), skipped_(pattern.cols() + 1, 0) {
         const int* const outer = pattern.outerIndexPtr();
         SparseMatrix sum;  // with the entries of both sides
         if (!symmetric) sum = pattern + SparseMatrix(pattern.transpose());
         const SparseMatrix& both = symmetric ? pattern : sum;
-        for (const std::vector<int>& own : sets) {
-            std::vector<int> seen;
+        for (const List<int>& own : sets) {
+            List<int> seen;
             Set& set = sets_.emplace_back();
             set.own = own;
             for (const int j : own) {
@@ -80,7 +79,7 @@ public:
     }
 
     /// Returns row and column of the entries of S that the pattern lacks.
-    [[nodiscard]] const std::vector<std::pair<int, int>>& filled() const { return filled_; }
+    [[nodiscard]] const List<std::pair<int, int>>& filled() const { return filled_; }
 
     /// Writes the columns that are left, one after the other, with S in the rows that are left, and
     /// the entries of filled() after them.
@@ -92,8 +91,7 @@ public:
                 std::copy(matrix.valuePtr() + outer[j], matrix.valuePtr() + outer[j + 1],
                           values + outer[j] - skipped_[j]);
         double* fill = values + outer[matrix.cols()] - skipped_.back();
-        const auto copy = [&](const std::vector<int>& rows, const std::vector<int>& columns,
-                              MatrixX& to) {
+        const auto copy = [&](const List<int>& rows, const List<int>& columns, MatrixX& to) {
             to.setZero(rows.size(), columns.size());
             visit_block(matrix, rows, columns, [&](auto i, auto j, auto k) {
                 if (k >= 0) to(i, j) = matrix.valuePtr()[k];
@@ -152,25 +150,24 @@ private:
         return result;
     }
 
-    [[nodiscard]] static VectorX picked(const VectorX& from, const std::vector<int>& places) {
+    [[nodiscard]] static VectorX picked(const VectorX& from, const List<int>& places) {
         VectorX result(places.size());
         for (std::size_t k = 0; k < places.size(); ++k) result[k] = from[places[k]];
         return result;
     }
-    static void add(const VectorX& entries, double factor, const std::vector<int>& places,
-                    VectorX& to) {
+    static void add(const VectorX& entries, double factor, const List<int>& places, VectorX& to) {
         for (std::size_t k = 0; k < places.size(); ++k) to[places[k]] += factor * entries[k];
     }
 
     struct Set {
-        std::vector<int> own, others;  // e and n
+        List<int> own, others;         // e and n
         MatrixX inverse, right, left;  // K_ee^-1, K_ee^-1 K_en, K_ne K_ee^-1 unless symmetric
     };
 
     bool symmetric_ = false;
-    std::vector<int> skipped_;  // entries of eliminated columns before each column, and the end
-    std::vector<Set> sets_;
-    std::vector<std::pair<int, int>> filled_;
+    List<int> skipped_;  // entries of eliminated columns before each column, and the end
+    List<Set> sets_;
+    List<std::pair<int, int>> filled_;
 };
 
 }  // namespace ancf::detail

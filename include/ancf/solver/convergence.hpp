@@ -12,9 +12,9 @@
 #include <ancf/assembly/assembly.hpp>
 #include <ancf/assembly/numbering.hpp>
 #include <ancf/error.hpp>
+#include <ancf/list.hpp>
 #include <ancf/model/layout.hpp>
 #include <ancf/model/scene.hpp>
-#include <ancf/records.hpp>
 #include <ancf/types.hpp>
 
 #include <algorithm>
@@ -224,7 +224,7 @@ private:
 
     const Numbering& numbering_;
     const detail::Exchange* exchange_;  // of a part of a scene
-    detail::Records<int> power_;        // of a length in the unit, per coordinate
+    List<int> power_;                   // of a length in the unit, per coordinate
     double size_ = 1.0;                 // diagonal of the scene, m
     double element_size_ = 1.0;         // mean reference length, m
 };

@@ -6,12 +6,13 @@
 
 #pragma once
 
+#include <ancf/list.hpp>
+
 #include <Eigen/Core>
 
 #include <cmath>
 #include <complex>
 #include <utility>
-#include <vector>
 
 namespace ancf::detail {
 
@@ -33,8 +34,8 @@ template <class Scalar>
 struct DenseLu {
     using Matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
 
-    Matrix factors;          ///< the matrix, then L and U
-    std::vector<int> order;  ///< the row that each row was exchanged with
+    Matrix factors;   ///< the matrix, then L and U
+    List<int> order;  ///< the row that each row was exchanged with
 
     /// Factorises in place. @return false where a pivot is zero or no number.
     [[nodiscard]] bool factorize() {

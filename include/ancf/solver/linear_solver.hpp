@@ -28,6 +28,7 @@
 
 #include <ancf/compiler.hpp>
 #include <ancf/error.hpp>
+#include <ancf/list.hpp>
 #include <ancf/solver/complex_solver.hpp>
 #include <ancf/types.hpp>
 
@@ -35,7 +36,6 @@
 #include <memory>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace ancf {
 
@@ -158,7 +158,7 @@ private:
         return static_cast<Eigen::Index>(columns_.size()) - 1;
     }
 
-    std::vector<int> columns_;  // outer indices of the pattern; none before analyze
+    List<int> columns_;  // outer indices of the pattern; none before analyze
     bool factorised_ = false;
 };
 

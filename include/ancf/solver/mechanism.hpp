@@ -10,6 +10,7 @@
 #include <ancf/assembly/numbering.hpp>
 #include <ancf/element/fields.hpp>
 #include <ancf/error.hpp>
+#include <ancf/list.hpp>
 #include <ancf/model/layout.hpp>
 #include <ancf/model/scene.hpp>
 #include <ancf/solver/linear_solver.hpp>
@@ -20,21 +21,20 @@
 #include <cmath>
 #include <cstddef>
 #include <string>
-#include <vector>
 
 namespace ancf::detail {
 
 /// Returns the coordinate of each equation that is no constraint's.
-[[nodiscard]] inline std::vector<int> free_coordinates(const Numbering& numbering) {
-    std::vector<int> all;
+[[nodiscard]] inline List<int> free_coordinates(const Numbering& numbering) {
+    List<int> all;
     for (int k = 0; k < numbering.coordinates(); ++k)
         if (numbering.equation(k) >= 0) all.push_back(k);
     return all;
 }
 
 /// Returns the places of the diagonal entries among the values of a compressed matrix; -1: none.
-[[nodiscard]] inline std::vector<int> diagonal_places(const SparseMatrix& matrix) {
-    std::vector<int> places(static_cast<std::size_t>(matrix.cols()), -1);
+[[nodiscard]] inline List<int> diagonal_places(const SparseMatrix& matrix) {
+    List<int> places(static_cast<std::size_t>(matrix.cols()), -1);
     for (int j = 0; j < matrix.cols(); ++j)
         for (int k = matrix.outerIndexPtr()[j]; k < matrix.outerIndexPtr()[j + 1]; ++k)
             if (matrix.innerIndexPtr()[k] == j) places[j] = k;
@@ -42,9 +42,9 @@ namespace ancf::detail {
 }
 
 /// Adds springs to the diagonal, a part of the stiffest entry of the same unit; returns them.
-[[nodiscard]] inline VectorX free_springs(const Layout& layout, const std::vector<int>& all,
-                                          double part, SparseMatrix& matrix) {
-    const std::vector<int> places = diagonal_places(matrix);
+[[nodiscard]] inline VectorX free_springs(const Layout& layout, const List<int>& all, double part,
+                                          SparseMatrix& matrix) {
+    const List<int> places = diagonal_places(matrix);
     double* const values = matrix.valuePtr();
     double stiffest[3] = {0.0, 0.0, 0.0};
     const auto unit_of = [&](std::size_t e) { return length_power(layout.field_of(all[e])) + 1; };
@@ -94,7 +94,7 @@ namespace ancf::detail {
     std::string repeated = repeated_constraints(model, numbering, tangent);
     if (!repeated.empty()) return repeated;
     const Layout& layout = model.layout();
-    const std::vector<int> all = free_coordinates(numbering);
+    const List<int> all = free_coordinates(numbering);
     for (const double part : {1e-12, 1e-9, 1e-6}) {
         SparseMatrix firm = copied(tangent);
         const VectorX springs = free_springs(layout, all, part, firm);

@@ -13,6 +13,7 @@
 #include <ancf/compiler.hpp>
 #include <ancf/constants.hpp>
 #include <ancf/error.hpp>
+#include <ancf/list.hpp>
 #include <ancf/model/scene.hpp>
 #include <ancf/solver/linear_solver.hpp>
 #include <ancf/types.hpp>
@@ -20,7 +21,6 @@
 #include <cmath>
 #include <optional>
 #include <string>
-#include <vector>
 
 namespace ancf {
 
@@ -52,7 +52,7 @@ struct Mode {
 /// What an eigenvalue analysis reports.
 struct ModalReport {
     Status status = Status::converged;  ///< why it ended
-    std::vector<Mode> modes;     ///< by rising value, of buckling by rising magnitude; none where
+    List<Mode> modes;            ///< by rising value, of buckling by rising magnitude; none where
                                  ///< supports hold everything, of vibrations also where constraints
                                  ///< do, or the status is neither converged nor max_iterations
     int iterations = 0;          ///< solutions with the whole subspace

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <ancf/algebra.hpp>
+#include <ancf/list.hpp>
 #include <ancf/solver/convergence.hpp>
 #include <ancf/solver/mechanism.hpp>
 #include <ancf/solver/modal.hpp>
@@ -142,7 +143,7 @@ ANCF_LAZY [[nodiscard]] SparseMatrix braced(const Assembly& assembly, const Spar
     if (assembly.numbering().multipliers() == 0) return A;
     VectorX diagonal = A.diagonal().head(assembly.numbering().free_coordinates());
     const VectorX stiffest = stiffest_of_unit(assembly, diagonal);
-    Records<MatrixEntry> entries;  // of springs as stiff as what is stiffest
+    List<MatrixEntry> entries;  // of springs as stiff as what is stiffest
     if (!add_springs(A, 1.0, stiffest, stiffest, diagonal, entries)) return A;
     const SparseMatrix springs = compressed(static_cast<int>(A.cols()), entries);
     return A + SparseMatrix(springs.selfadjointView<Eigen::Lower>());

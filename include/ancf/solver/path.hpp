@@ -14,6 +14,7 @@
 #include <ancf/assembly/assembly.hpp>
 #include <ancf/compiler.hpp>
 #include <ancf/error.hpp>
+#include <ancf/list.hpp>
 #include <ancf/model/scene.hpp>
 #include <ancf/solver/linear_solver.hpp>
 #include <ancf/types.hpp>
@@ -22,7 +23,6 @@
 #include <functional>
 #include <optional>
 #include <string>
-#include <vector>
 
 namespace ancf {
 
@@ -110,8 +110,8 @@ struct PathReport {
     /// converged: landed on last_factor; stopped: by the callback; diverged: the smallest step
     /// failed; max_iterations: max_points; else the path cannot start in this state.
     Status status = Status::converged;
-    std::vector<PathPoint> points;        ///< in order
-    std::vector<CriticalPoint> critical;  ///< in order
+    List<PathPoint> points;        ///< in order
+    List<CriticalPoint> critical;  ///< in order
     /// Whether negative pivots were known at every point, so that bifurcations were looked for.
     /// Where not, as under loads without a potential, the path passes them without a word.
     bool bifurcations_sought = false;

@@ -8,10 +8,10 @@
 
 #include <ancf/assembly/numbering.hpp>
 #include <ancf/error.hpp>
+#include <ancf/list.hpp>
 #include <ancf/model/constraint.hpp>
 #include <ancf/model/layout.hpp>
 #include <ancf/model/scene.hpp>
-#include <ancf/records.hpp>
 #include <ancf/solver/convergence.hpp>
 #include <ancf/types.hpp>
 
@@ -19,7 +19,6 @@
 #include <cstddef>
 #include <string>
 #include <utility>
-#include <vector>
 
 namespace ancf::detail {
 
@@ -30,7 +29,7 @@ struct RowEntry {
 };
 
 /// Such a row, columns ascending.
-using SparseRow = Records<RowEntry>;
+using SparseRow = List<RowEntry>;
 
 inline void drop_first(SparseRow& row) {
     SparseRow rest;
@@ -58,7 +57,7 @@ inline void rotate(SparseRow& upper, SparseRow& lower) {
 }
 
 /// Turns a row into a triangular factor whose row j, where there is one, begins in column j.
-inline void insert(std::vector<SparseRow>& factor, SparseRow& row) {
+inline void insert(List<SparseRow>& factor, SparseRow& row) {
     while (!row.empty()) {
         SparseRow& upper = factor[row[0].column];
         if (upper.empty()) {
@@ -81,11 +80,11 @@ inline void insert(std::vector<SparseRow>& factor, SparseRow& row) {
 /// @param matrix     compressed; G^T stands in its first rows, from column `first` on.
 /// @param scales     sizes of the coordinates, one for each row of G^T, positive.
 /// @param tolerance  from 0 to 1.
-[[nodiscard]] inline std::vector<int> dependent_rows(const SparseMatrix& matrix, int first,
-                                                     const VectorX& scales, double tolerance) {
+[[nodiscard]] inline List<int> dependent_rows(const SparseMatrix& matrix, int first,
+                                              const VectorX& scales, double tolerance) {
     const auto equations = static_cast<int>(matrix.cols()) - first;
     const int *const start = matrix.outerIndexPtr() + first, *const row = matrix.innerIndexPtr();
-    std::vector<SparseRow> coordinates(static_cast<std::size_t>(scales.size()));
+    List<SparseRow> coordinates(static_cast<std::size_t>(scales.size()));
     for (int j = 0; j < equations; ++j) {
         double square = 0.0;
         for (int k = start[j]; k < start[j + 1] && row[k] < scales.size(); ++k)
@@ -95,12 +94,12 @@ inline void insert(std::vector<SparseRow>& factor, SparseRow& row) {
                 coordinates[row[k]].push_back({j, value * scales[row[k]] / std::sqrt(square)});
     }
     // in the order of their first equations: a row then ends soon in an empty row of the factor
-    std::vector<SparseRow> factor(static_cast<std::size_t>(equations));
+    List<SparseRow> factor(static_cast<std::size_t>(equations));
     for (int j = 0; j < equations; ++j)
         for (int k = start[j]; k < start[j + 1] && row[k] < scales.size(); ++k)
             if (SparseRow& own = coordinates[row[k]]; !own.empty() && own[0].column == j)
                 insert(factor, own);
-    std::vector<int> dependent;
+    List<int> dependent;
     for (int j = 0; j < equations; ++j) {
         if (!factor[j].empty() && std::abs(factor[j][0].value) > tolerance) continue;
         dependent.push_back(j);
@@ -113,7 +112,7 @@ inline void insert(std::vector<SparseRow>& factor, SparseRow& row) {
 }
 
 /// Returns an equation in words: the constraint, its name, and which of its equations it is.
-[[nodiscard]] inline std::string describe_equation(const std::vector<AnyConstraint>& constraints,
+[[nodiscard]] inline std::string describe_equation(const List<AnyConstraint>& constraints,
                                                    int equation) {
     std::size_t k = 0;
     for (; equation >= constraints[k].equations(); ++k) equation -= constraints[k].equations();

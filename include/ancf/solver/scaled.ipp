@@ -5,12 +5,12 @@
 
 #include <ancf/algebra.hpp>
 #include <ancf/error.hpp>
+#include <ancf/list.hpp>
 #include <ancf/solver/direct_solver.hpp>
 #include <ancf/solver/scaled.hpp>
 
 #include <cmath>
 #include <cstddef>
-#include <vector>
 
 namespace ancf {
 
@@ -43,7 +43,7 @@ struct PlainSum {
 template <class Sum>
 [[nodiscard]] VectorX residual(const SparseMatrix& matrix, Storage storage, const VectorX& x,
                                const VectorX& b) {
-    std::vector<Sum> sums(static_cast<std::size_t>(b.size()));
+    List<Sum> sums(static_cast<std::size_t>(b.size()));
     for (int column = 0; column < matrix.outerSize(); ++column) {
         Sum mirrored;
         for (SparseMatrix::InnerIterator entry(matrix, column); entry; ++entry) {

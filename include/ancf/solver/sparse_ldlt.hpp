@@ -12,11 +12,10 @@
 
 #include <ancf/assembly/numbering.hpp>
 #include <ancf/compiler.hpp>
-#include <ancf/records.hpp>
+#include <ancf/list.hpp>
 #include <ancf/types.hpp>
 
 #include <cstddef>
-#include <vector>
 
 namespace ancf::detail {
 
@@ -28,10 +27,10 @@ struct MatrixEntry {
 };
 
 /// Returns the compressed matrix of entries, those of one place added in their order.
-[[nodiscard]] SparseMatrix compressed(int size, const Records<MatrixEntry>& entries);
+[[nodiscard]] SparseMatrix compressed(int size, const List<MatrixEntry>& entries);
 
 /// Returns the block of each of the first equations: a node, a constraint.
-[[nodiscard]] std::vector<int> blocks_of(const Numbering& numbering, int equations);
+[[nodiscard]] List<int> blocks_of(const Numbering& numbering, int equations);
 
 /// Factorises a symmetric matrix, definite or not. Of the same pattern again it keeps the order,
 /// and the rows of L before the first one that has another value.
@@ -44,8 +43,8 @@ public:
     /// @param to_end  whether they wait for all other rows, or each for those that it has entries
     ///                with.
     /// @return        false where a pivot is zero or not finite; no solution may then be asked for.
-    [[nodiscard]] bool factorize(const SparseMatrix& lower, const std::vector<int>& blocks,
-                                 int last = 0, bool to_end = true);
+    [[nodiscard]] bool factorize(const SparseMatrix& lower, const List<int>& blocks, int last = 0,
+                                 bool to_end = true);
 
     /// Returns the number of rows.
     [[nodiscard]] int size() const noexcept { return static_cast<int>(order_.size()); }
@@ -66,21 +65,21 @@ private:
     [[nodiscard]] int take_values(const double* values);
     [[nodiscard]] bool eliminate(int from);
 
-    std::vector<int> blocks_, outer_, inner_;  // the pattern whose order is known
-    int last_ = 0;                             // rows that wait,
-    bool to_end_ = true;                       // for all others
-    bool complete_ = false;                    // whether L belongs to the values
-    std::vector<int> order_, place_;           // row at a place, place of a row
+    List<int> blocks_, outer_, inner_;  // the pattern whose order is known
+    int last_ = 0;                      // rows that wait,
+    bool to_end_ = true;                // for all others
+    bool complete_ = false;             // whether L belongs to the values
+    List<int> order_, place_;           // row at a place, place of a row
     // of the permuted matrix the upper half, by columns
-    Records<std::size_t> upper_first_;
-    std::vector<int> upper_row_, from_;  // from_: place among the matrix's values
-    std::vector<double> upper_value_;
-    std::vector<int> parent_;  // in the elimination tree, -1 for a root
+    List<std::size_t> upper_first_;
+    List<int> upper_row_, from_;  // from_: place among the matrix's values
+    List<double> upper_value_;
+    List<int> parent_;  // in the elimination tree, -1 for a root
     // L below its diagonal, by columns
-    Records<std::size_t> first_;
-    std::vector<int> row_, matrix_row_;  // places, and the rows of the matrix that stand there
-    std::vector<double> value_;
-    std::vector<double> pivots_;
+    List<std::size_t> first_;
+    List<int> row_, matrix_row_;  // places, and the rows of the matrix that stand there
+    List<double> value_;
+    List<double> pivots_;
 };
 
 }  // namespace ancf::detail

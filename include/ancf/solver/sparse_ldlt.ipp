@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <ancf/list.hpp>
 #include <ancf/solver/sparse_ldlt.hpp>
 
 #include <algorithm>
@@ -11,17 +12,17 @@
 
 namespace ancf::detail {
 
-ANCF_INLINE SparseMatrix compressed(int size, const Records<MatrixEntry>& entries) {
+ANCF_INLINE SparseMatrix compressed(int size, const List<MatrixEntry>& entries) {
     // sorted by row, then by column: two passes that keep the order of equals
-    const auto sorted = [size](const Records<MatrixEntry>& from, int MatrixEntry::*key) {
-        Records<std::size_t> next(static_cast<std::size_t>(size) + 1, 0);
+    const auto sorted = [size](const List<MatrixEntry>& from, int MatrixEntry::*key) {
+        List<std::size_t> next(static_cast<std::size_t>(size) + 1, 0);
         for (const MatrixEntry& entry : from) ++next[entry.*key + 1];
         for (std::size_t k = 1; k < next.size(); ++k) next[k] += next[k - 1];
-        Records<MatrixEntry> to(from.size());
+        List<MatrixEntry> to(from.size());
         for (const MatrixEntry& entry : from) to[next[entry.*key]++] = entry;
         return to;
     };
-    Records<MatrixEntry> all = sorted(sorted(entries, &MatrixEntry::row), &MatrixEntry::column);
+    List<MatrixEntry> all = sorted(sorted(entries, &MatrixEntry::row), &MatrixEntry::column);
     std::size_t kept = 0;
     for (const MatrixEntry& entry : all) {
         MatrixEntry* const last = kept > 0 ? &all[kept - 1] : nullptr;
@@ -43,25 +44,25 @@ ANCF_INLINE SparseMatrix compressed(int size, const Records<MatrixEntry>& entrie
     return matrix;
 }
 
-ANCF_INLINE std::vector<int> blocks_of(const Numbering& numbering, int equations) {
-    std::vector<int> blocks;
-    const std::vector<int>& sizes = numbering.block_sizes();
+ANCF_INLINE List<int> blocks_of(const Numbering& numbering, int equations) {
+    List<int> blocks;
+    const List<int>& sizes = numbering.block_sizes();
     for (std::size_t block = 0; block < sizes.size(); ++block)
-        blocks.insert(blocks.end(), sizes[block], static_cast<int>(block));
+        blocks.resize(blocks.size() + static_cast<std::size_t>(sizes[block]),
+                      static_cast<int>(block));
     blocks.resize(static_cast<std::size_t>(equations));
     return blocks;
 }
 
 /// Returns the blocks in an order of elimination that keeps fill small: always one of those with
 /// the fewest neighbours, the last one that came to have so few.
-[[nodiscard]] ANCF_INLINE std::vector<int> minimum_degree(
-    std::vector<std::vector<int>> neighbours) {
-    std::vector<std::vector<int>> waiting(neighbours.size() + 1);  // by degree, some out of date
+[[nodiscard]] ANCF_INLINE List<int> minimum_degree(List<List<int>> neighbours) {
+    List<List<int>> waiting(neighbours.size() + 1);  // by degree, some out of date
     for (int k = static_cast<int>(neighbours.size()) - 1; k >= 0; --k)
         waiting[neighbours[k].size()].push_back(k);
-    std::vector<int> seen(neighbours.size(), -1);
-    Records<char> gone(neighbours.size(), 0);
-    std::vector<int> order;
+    List<int> seen(neighbours.size(), -1);
+    List<char> gone(neighbours.size(), 0);
+    List<int> order;
     order.reserve(neighbours.size());
     int stamp = 0;
     for (std::size_t degree = 0; degree < waiting.size();) {
@@ -74,9 +75,9 @@ ANCF_INLINE std::vector<int> blocks_of(const Numbering& numbering, int equations
         if (gone[block] != 0 || neighbours[block].size() != degree) continue;
         gone[block] = 1;
         order.push_back(block);
-        const std::vector<int> clique = std::exchange(neighbours[block], {});
+        const List<int> clique = std::exchange(neighbours[block], {});
         for (const int one : clique) {
-            std::vector<int>& own = neighbours[one];
+            List<int>& own = neighbours[one];
             seen[one] = seen[block] = ++stamp;
             std::size_t kept = 0;
             for (const int other : own) {
@@ -95,16 +96,16 @@ ANCF_INLINE std::vector<int> blocks_of(const Numbering& numbering, int equations
 }
 
 /// Returns the blocks that each block shares an entry with.
-[[nodiscard]] ANCF_INLINE std::vector<std::vector<int>> coupled_blocks(
-    const SparseMatrix& matrix, const std::vector<int>& blocks) {
+[[nodiscard]] ANCF_INLINE List<List<int>> coupled_blocks(const SparseMatrix& matrix,
+                                                         const List<int>& blocks) {
     const int count = blocks.empty() ? 0 : *std::max_element(blocks.begin(), blocks.end()) + 1;
-    std::vector<std::vector<int>> neighbours(static_cast<std::size_t>(count));
+    List<List<int>> neighbours(static_cast<std::size_t>(count));
     for (int j = 0; j < matrix.cols(); ++j)
         for (int k = matrix.outerIndexPtr()[j]; k < matrix.outerIndexPtr()[j + 1]; ++k) {
             const int a = blocks[matrix.innerIndexPtr()[k]];
             const int b = blocks[j];
             if (a == b) continue;
-            std::vector<int>& of_a = neighbours[a];
+            List<int>& of_a = neighbours[a];
             std::size_t found = of_a.size();  // most likely among the last
             while (found > 0 && of_a[found - 1] != b) --found;
             if (found > 0) continue;
@@ -114,8 +115,8 @@ ANCF_INLINE std::vector<int> blocks_of(const Numbering& numbering, int equations
     return neighbours;
 }
 
-ANCF_INLINE bool SparseLdlt::factorize(const SparseMatrix& lower, const std::vector<int>& blocks,
-                                       int last, bool to_end) {
+ANCF_INLINE bool SparseLdlt::factorize(const SparseMatrix& lower, const List<int>& blocks, int last,
+                                       bool to_end) {
     const int* outer = lower.outerIndexPtr();
     const int* inner = lower.innerIndexPtr();
     const int *outer_end = outer + lower.cols() + 1, *inner_end = inner + outer[lower.cols()];
@@ -150,32 +151,32 @@ ANCF_INLINE int SparseLdlt::take_values(const double* values) {
 
 /// Finds the order of elimination.
 ANCF_INLINE void SparseLdlt::order(const SparseMatrix& lower) {
-    std::vector<std::vector<int>> neighbours = coupled_blocks(lower, blocks_);
-    Records<char> waits(neighbours.size(), 0);
+    List<List<int>> neighbours = coupled_blocks(lower, blocks_);
+    List<char> waits(neighbours.size(), 0);
     for (std::size_t row = blocks_.size() - last_; row < blocks_.size(); ++row)
         waits[blocks_[row]] = 1;
-    std::vector<std::vector<int>> awaited(neighbours.size());
+    List<List<int>> awaited(neighbours.size());
     for (std::size_t block = 0; last_ > 0 && block < neighbours.size(); ++block) {
-        std::vector<int>& of = neighbours[block];
+        List<int>& of = neighbours[block];
         const auto is_last = [&](int other) { return waits[other] != 0; };
         of.erase(std::remove_if(of.begin(), of.end(), is_last), of.end());
         if (waits[block] != 0) awaited[block] = std::exchange(of, {});
     }
-    const std::vector<int> sequence = minimum_degree(std::move(neighbours));
+    const List<int> sequence = minimum_degree(std::move(neighbours));
     const auto end = 2 * static_cast<int>(sequence.size());
-    std::vector<int> turn(sequence.size());  // even, of blocks that wait odd or the end
+    List<int> turn(sequence.size());  // even, of blocks that wait odd or the end
     for (int k = 0; k < end; k += 2) turn[sequence[k / 2]] = k;
     for (std::size_t block = 0; block < turn.size(); ++block) {
         if (waits[block] == 0) continue;
         turn[block] = to_end_ ? end : 0;
         for (const int other : awaited[block]) turn[block] = std::max(turn[block], turn[other] + 1);
     }
-    std::vector<std::vector<int>> rows(static_cast<std::size_t>(end) + 1);  // at each turn
+    List<List<int>> rows(static_cast<std::size_t>(end) + 1);  // at each turn
     for (std::size_t row = 0; row < blocks_.size(); ++row)
         rows[turn[blocks_[row]]].push_back(static_cast<int>(row));
     order_.clear();
     place_.assign(blocks_.size(), -1);
-    for (const std::vector<int>& at_turn : rows)
+    for (const List<int>& at_turn : rows)
         for (const int row : at_turn) {
             place_[row] = static_cast<int>(order_.size());
             order_.push_back(row);
@@ -200,7 +201,7 @@ ANCF_INLINE void SparseLdlt::permute(const int* outer) {
     upper_row_.resize(upper_first_.back());
     upper_value_.resize(upper_first_.back());
     from_.resize(upper_first_.back());
-    Records<std::size_t> next = upper_first_;
+    List<std::size_t> next = upper_first_;
     visit([&](int row, std::size_t column, int slot) {
         upper_row_[next[column]] = row;
         from_[next[column]++] = slot;
@@ -211,7 +212,7 @@ ANCF_INLINE void SparseLdlt::permute(const int* outer) {
 ANCF_INLINE void SparseLdlt::analyze() {
     const int rows = size();
     parent_.assign(order_.size(), -1);
-    std::vector<int> seen(order_.size(), -1);
+    List<int> seen(order_.size(), -1);
     first_.assign(order_.size() + 1, 0);
     int* const parent = parent_.data();
     for (int k = 0; k < rows; ++k) {
@@ -232,9 +233,9 @@ ANCF_INLINE void SparseLdlt::analyze() {
 ANCF_INLINE bool SparseLdlt::eliminate(int from) {
     const int rows = size();
     pivots_.resize(order_.size());
-    std::vector<double> work(order_.size(), 0.0);
-    std::vector<int> seen(order_.size(), -1), pattern(order_.size()), path(order_.size());
-    Records<std::size_t> end = first_;
+    List<double> work(order_.size(), 0.0);
+    List<int> seen(order_.size(), -1), pattern(order_.size()), path(order_.size());
+    List<std::size_t> end = first_;
     double* const y = work.data();
     int* const row = row_.data();
     double* const value = value_.data();

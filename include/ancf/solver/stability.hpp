@@ -7,7 +7,7 @@
 #pragma once
 
 #include <ancf/compiler.hpp>
-#include <ancf/records.hpp>
+#include <ancf/list.hpp>
 #include <ancf/solver/linear_solver.hpp>
 #include <ancf/solver/sparse_ldlt.hpp>
 #include <ancf/types.hpp>
@@ -63,7 +63,7 @@ namespace detail {
 /// @param diagonal   of the tangent; grows with the springs
 /// @return false where nothing has a stiffness.
 bool add_springs(const SparseMatrix& tangent, double stiffness, const VectorX& held,
-                 const VectorX& otherwise, VectorX& diagonal, Records<MatrixEntry>& entries);
+                 const VectorX& otherwise, VectorX& diagonal, List<MatrixEntry>& entries);
 
 /// In how many directions that constraints allow a tangent is negative.
 struct NegativeDirections {

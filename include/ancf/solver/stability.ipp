@@ -5,6 +5,7 @@
 
 #include <ancf/algebra.hpp>
 #include <ancf/assembly/assembly.hpp>
+#include <ancf/list.hpp>
 #include <ancf/model/scene.hpp>
 #include <ancf/solver/convergence.hpp>
 #include <ancf/solver/dense_lu.hpp>
@@ -48,7 +49,7 @@ ANCF_INLINE VectorX stiffest_of_unit(const Assembly& assembly, const VectorX& di
 
 ANCF_INLINE bool add_springs(const SparseMatrix& tangent, double stiffness, const VectorX& held,
                              const VectorX& otherwise, VectorX& diagonal,
-                             Records<MatrixEntry>& entries) {
+                             List<MatrixEntry>& entries) {
     const int* const row = tangent.innerIndexPtr();
     const double* const g = tangent.valuePtr();
     const auto counts = [&](int k) { return row[k] < held.size() && g[k] != 0.0; };
@@ -121,9 +122,9 @@ ANCF_INLINE bool resists(const SparseMatrix& lower, const VectorX& diagonal,
 /// @param diagonal         of the stiffness
 /// @param entries          of its lower half; none where the tangent stores that
 /// @return                 unknown also where a row is not independent of the others
-[[nodiscard]] ANCF_INLINE NegativeDirections negative_pivots(
-    const Assembly& assembly, const SparseMatrix& tangent, const VectorX& held,
-    const VectorX& otherwise, bool exact, VectorX diagonal, Records<MatrixEntry> entries) {
+[[nodiscard]] ANCF_INLINE NegativeDirections
+negative_pivots(const Assembly& assembly, const SparseMatrix& tangent, const VectorX& held,
+                const VectorX& otherwise, bool exact, VectorX diagonal, List<MatrixEntry> entries) {
     constexpr double round_off = 1e-14;      // of a pivot, to the diagonal it comes from
     constexpr double dependent = 1e-9;       // of a row's pivot, likewise
     const double stiff = exact ? 1.0 : 1e4;  // of a spring, to what it holds
@@ -170,7 +171,7 @@ ANCF_INLINE NegativeDirections negative_directions(const Assembly& assembly,
     const int free = assembly.numbering().free_coordinates();
     const bool stored = assembly.pattern().storage() == Storage::lower;
     VectorX diagonal = VectorX::Zero(free);
-    Records<MatrixEntry> entries;
+    List<MatrixEntry> entries;
     if (!stored) entries.reserve(static_cast<std::size_t>(detail::entries(tangent)));
     for (int column = 0; column < free; ++column)
         for (int k = tangent.outerIndexPtr()[column]; k < tangent.outerIndexPtr()[column + 1];

@@ -14,6 +14,7 @@
 #include <ancf/assembly/resultant.hpp>
 #include <ancf/compiler.hpp>
 #include <ancf/error.hpp>
+#include <ancf/list.hpp>
 #include <ancf/model/scene.hpp>
 #include <ancf/solver/linear_solver.hpp>
 #include <ancf/solver/stability.hpp>
@@ -22,7 +23,6 @@
 #include <functional>
 #include <optional>
 #include <string>
-#include <vector>
 
 namespace ancf {
 
@@ -76,15 +76,15 @@ struct LoadStep {
                                             ///< multiplier accounts for, where a solver counts
     Status status = Status::converged;      ///< how it ended
     bool at_round_off = false;              ///< converged by the floor of the residual's round-off
-    std::vector<double> residuals;          ///< relative residual before each solve, and the last
-    std::vector<double> corrections;        ///< relative size of each correction
+    List<double> residuals;                 ///< relative residual before each solve, and the last
+    List<double> corrections;               ///< relative size of each correction
 };
 
 /// What a static solution reports.
 struct StaticsReport {
     Status status = Status::converged;  ///< how it ended
     double factor = 0.0;                ///< load factor reached
-    std::vector<LoadStep> steps;        ///< every step or part of one tried, in order
+    List<LoadStep> steps;               ///< every step or part of one tried, in order
     std::optional<Fault> fault;         ///< the element that failed, for degenerate and not_finite
     std::string message;                ///< what failed where; of a singular tangent, what moves
                                         ///< without stiffness; of a driven joint that turns too

@@ -5,6 +5,7 @@
 
 #include <ancf/algebra.hpp>
 #include <ancf/element/fields.hpp>
+#include <ancf/list.hpp>
 #include <ancf/model/constraint.hpp>
 #include <ancf/solver/convergence.hpp>
 #include <ancf/solver/mechanism.hpp>
@@ -419,7 +420,7 @@ private:
         constexpr double nothing = 1e-12;  // a correction of the multipliers alone
         const int free = assembly_.numbering().free_coordinates();
         double* const values = assembly_.tangent_values();
-        const std::vector<int> at = diagonal_places(assembly_.tangent());
+        const List<int> at = diagonal_places(assembly_.tangent());
         VectorX diagonal = VectorX::Zero(free);
         for (int k = 0; k < free; ++k) diagonal[k] = values[at[k]];
         // what has no stiffness of its own is as viscous as the stiffest of its unit
@@ -706,9 +707,9 @@ private:
     Assembly assembly_;
     ConvergenceMonitor monitor_;
     Turning turning_;
-    const detail::Exchange* exchange_;               // of a part of a scene
-    const std::vector<AnyConstraint>& constraints_;  // of the whole one
-    bool without_sections_;                          // elements, and none has r_y
+    const detail::Exchange* exchange_;        // of a part of a scene
+    const List<AnyConstraint>& constraints_;  // of the whole one
+    bool without_sections_;                   // elements, and none has r_y
     NewtonKind newton_;
     static constexpr int none_failed = 2;
     int successes_ = none_failed;  // steps that converged since one failed

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <ancf/algebra.hpp>
+#include <ancf/list.hpp>
 #include <ancf/solver/subspace.hpp>
 #include <ancf/solver/symmetric_modes.hpp>
 
@@ -12,7 +13,6 @@
 #include <cstddef>
 #include <limits>
 #include <utility>
-#include <vector>
 
 namespace ancf::detail {
 
@@ -160,7 +160,7 @@ ANCF_LAZY bool Subspace::reduce(int count) {
     const MatrixX b = transposed_times(basis, product(B_, basis));
     const MatrixX symmetric = 0.5 * (b + b.transpose());
     const SymmetricModes reduced = symmetric_modes(symmetric);
-    std::vector<Eigen::Index> order(static_cast<std::size_t>(rank));
+    List<Eigen::Index> order(static_cast<std::size_t>(rank));
     for (std::size_t k = 0; k < order.size(); ++k) order[k] = static_cast<Eigen::Index>(k);
     // pairs of either sign differ by less than this share
     const auto size = [&](Eigen::Index i) {

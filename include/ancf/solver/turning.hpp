@@ -13,13 +13,13 @@
 #include <ancf/assembly/numbering.hpp>
 #include <ancf/compiler.hpp>
 #include <ancf/element/vec3.hpp>
+#include <ancf/list.hpp>
 #include <ancf/model/layout.hpp>
 #include <ancf/model/scene.hpp>
 #include <ancf/solver/sparse_ldlt.hpp>
 #include <ancf/types.hpp>
 
 #include <array>
-#include <vector>
 
 namespace ancf {
 
@@ -68,7 +68,7 @@ private:
 
     // What ties the same component of all positions together.
     struct Component {
-        std::vector<int> unknown;  // of each node, -1 where there is none
+        List<int> unknown;  // of each node, -1 where there is none
         int count = 0;
         detail::SparseLdlt factors;
     };
@@ -89,18 +89,18 @@ private:
     void add_curvature_of_chord(const std::array<int, 2>& chord, const double* forces,
                                 const VectorX& q, const SparseMatrix& pattern,
                                 double* values) const;
-    [[nodiscard]] std::vector<double> chord_forces(const VectorX& residual) const;
+    [[nodiscard]] List<double> chord_forces(const VectorX& residual) const;
     void factorize() {
         for (int k = 0; !factorised_ && k < dimension_; ++k) factorize(k);
         factorised_ = true;
     }
     void factorize(int component);
-    void shift(int component, const std::vector<double>& wanted, VectorX& q);
+    void shift(int component, const List<double>& wanted, VectorX& q);
 
     const Layout& layout_;
     const Numbering& numbering_;
     int dimension_;
-    std::vector<std::array<int, 2>> chords_;
+    List<std::array<int, 2>> chords_;
     std::array<Component, 3> components_;
     bool factorised_ = false;
 };

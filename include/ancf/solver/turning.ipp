@@ -4,6 +4,7 @@
 #pragma once
 
 #include <ancf/element/fields.hpp>
+#include <ancf/list.hpp>
 #include <ancf/solver/turning.hpp>
 
 #include <algorithm>
@@ -264,7 +265,7 @@ ANCF_INLINE void Turning::add_curvature(const VectorX& q, const VectorX& residua
     }
     if (!chords) return;
     factorize();
-    const std::vector<double> forces = chord_forces(residual);
+    const List<double> forces = chord_forces(residual);
     for (std::size_t c = 0; c < chords_.size(); ++c)
         add_curvature_of_chord(chords_[c], &forces[3 * c], q, pattern, values);
 }
@@ -328,8 +329,8 @@ ANCF_INLINE void Turning::add_curvature_of_chord(const std::array<int, 2>& chord
 
 /// Returns the forces of the chords whose resultants at the nodes are the residual of positions, in
 /// the least squares that turn() has.
-ANCF_INLINE std::vector<double> Turning::chord_forces(const VectorX& residual) const {
-    std::vector<double> forces(3 * chords_.size());
+ANCF_INLINE List<double> Turning::chord_forces(const VectorX& residual) const {
+    List<double> forces(3 * chords_.size());
     for (int component = 0; component < dimension_; ++component) {
         const Component& of = components_[component];
         VectorX pull = VectorX::Zero(of.count);
@@ -353,8 +354,8 @@ ANCF_INLINE void Turning::factorize(int component) {
     constexpr double tether = 1e-9;  // beside chords of weight 1
     Component& of = components_[component];
     of.unknown.assign(static_cast<std::size_t>(layout_.nodes()), -1);
-    detail::Records<detail::MatrixEntry> entries;
-    std::vector<int> blocks;
+    List<detail::MatrixEntry> entries;
+    List<int> blocks;
     for (int node = 0; node < layout_.nodes(); ++node)
         if (layout_.fields(node).contains(Field::r) &&
             numbering_.equation(layout_.first(node) + component) >= 0) {
@@ -396,7 +397,7 @@ ANCF_INLINE void Turning::turn(const VectorX& before, const VectorX& change, Vec
     }
     factorize();
     // wanted: how far each chord ends from where the linear sum ends it
-    std::vector<double> wanted;
+    List<double> wanted;
     wanted.reserve(chords_.size() * dimension_);
     for (const auto& chord : chords_) {
         const int i = layout_.first(chord[0]), j = layout_.first(chord[1]);
@@ -437,7 +438,7 @@ ANCF_INLINE double Turning::twist(const std::array<int, 2>& chord, const VectorX
 }
 
 /// Moves a component of the positions towards what the chords want.
-ANCF_INLINE void Turning::shift(int component, const std::vector<double>& wanted, VectorX& q) {
+ANCF_INLINE void Turning::shift(int component, const List<double>& wanted, VectorX& q) {
     const Component& of = components_[component];
     if (of.count == 0) return;
     VectorX pull = VectorX::Zero(of.count);

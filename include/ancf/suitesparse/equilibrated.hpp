@@ -11,6 +11,7 @@
 
 #include <ancf/algebra.hpp>
 #include <ancf/error.hpp>
+#include <ancf/list.hpp>
 #include <ancf/solver/complex_solver.hpp>
 #include <ancf/solver/fixed_column.hpp>
 #include <ancf/solver/linear_solver.hpp>
@@ -19,7 +20,6 @@
 #include <complex>
 #include <cstddef>
 #include <string_view>
-#include <vector>
 
 namespace ancf::suitesparse::detail {
 
@@ -31,7 +31,7 @@ public:
     /// Takes a compressed pattern.
     void analyze(const SparseMatrix& pattern) {
         magnitudes_ = pattern;
-        values_.resize(static_cast<std::size_t>(pattern.nonZeros()));
+        values_.resize(static_cast<std::size_t>(ancf::detail::entries(pattern)));
     }
 
     /// Takes values in the order of the pattern's. @return false where one is not finite.
@@ -69,7 +69,7 @@ public:
 
 private:
     SparseMatrix magnitudes_;
-    std::vector<Scalar> values_;
+    List<Scalar> values_;
     VectorX rows_, columns_;
 };
 
@@ -85,7 +85,7 @@ public:
         ancf::detail::require_storage(name_, pattern, Storage::full);
         factors_.analyze(pattern);
     }
-    [[nodiscard]] Status factorize(const std::vector<std::complex<double>>& values) override {
+    [[nodiscard]] Status factorize(const List<std::complex<double>>& values) override {
         ancf::detail::require(values.size() == factors_.entries(), name_, ": expected ",
                               factors_.entries(), " values, got ", values.size());
         return factors_.factorize(values.data());

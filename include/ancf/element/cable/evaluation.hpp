@@ -11,9 +11,8 @@
 #include <ancf/element/cable/natural.hpp>
 #include <ancf/element/evaluation.hpp>
 #include <ancf/element/rate.hpp>
+#include <ancf/list.hpp>
 #include <ancf/types.hpp>
-
-#include <vector>
 
 namespace ancf::detail {
 
@@ -22,9 +21,9 @@ template <int Dimension, class Measure>
 struct CableKernel {
     static constexpr int dimension = Dimension, dofs = 4 * Dimension;
 
-    std::vector<CableAxialStation> axial;
-    std::vector<CableBendingStation> bending;
-    std::vector<NaturalCurvature> natural;
+    List<CableAxialStation> axial;
+    List<CableBendingStation> bending;
+    List<NaturalCurvature> natural;
     double natural_energy = 0.0;  ///< int EI kappa0^2/2 ds, J
     double softening = 0.0;       ///< 1 less the ratio of stiffness in compression to tension
     double straight = 0.0;        ///< a curvature that counts as none, 1/m

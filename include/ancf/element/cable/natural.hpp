@@ -12,10 +12,10 @@
 #pragma once
 
 #include <ancf/element/cable/kernel.hpp>
+#include <ancf/list.hpp>
 
 #include <cmath>
 #include <cstddef>
-#include <vector>
 
 namespace ancf::detail {
 
@@ -159,7 +159,7 @@ struct CurvedStation {
 /// Adds -EI kappa0 kappa of a station in the plane.
 template <bool Tangent, class S>
 ANCF_NOINLINE void add_natural(const NaturalCurvature& natural,
-                               const std::vector<CableBendingStation>& stations,
+                               const List<CableBendingStation>& stations,
                                const LineVector<S, 2>& line, LineGradient<S, 2>& sum,
                                LineHessian<S, 2>* hessian) noexcept {
     const CurvedStation<S, 2> at(stations[natural.station[0]], line);
@@ -236,9 +236,9 @@ void add_curvature_rate(const CableBendingStation& station, double floor,
 
 /// Returns the resultant Z of the stations that turn together.
 template <class S>
-[[nodiscard]] inline Vector<S, 3> natural_resultant(
-    const NaturalCurvature& natural, const std::vector<CableBendingStation>& stations,
-    const LineVector<S, 3>& line) noexcept {
+[[nodiscard]] inline Vector<S, 3> natural_resultant(const NaturalCurvature& natural,
+                                                    const List<CableBendingStation>& stations,
+                                                    const LineVector<S, 3>& line) noexcept {
     Vector<S, 3> z = Vector<S, 3>::Zero();
     for (int g = 0; g < natural.count; ++g) {
         const CurvedStation<S, 3> at(stations[natural.station[g]], line);
@@ -251,7 +251,7 @@ template <class S>
 /// Adds -|Z|, Z = sum (alpha kappa - beta k/A) over the stations that turn together.
 template <bool Tangent, class S>
 ANCF_NOINLINE void add_natural(const NaturalCurvature& natural,
-                               const std::vector<CableBendingStation>& stations,
+                               const List<CableBendingStation>& stations,
                                const LineVector<S, 3>& line, LineGradient<S, 3>& sum,
                                LineHessian<S, 3>* hessian) noexcept {
     using std::sqrt;

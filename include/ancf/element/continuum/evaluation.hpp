@@ -12,10 +12,10 @@
 #include <ancf/element/continuum/tangent.hpp>
 #include <ancf/element/evaluation.hpp>
 #include <ancf/element/rate.hpp>
+#include <ancf/list.hpp>
 #include <ancf/types.hpp>
 
 #include <cstddef>
-#include <vector>
 
 namespace ancf::detail::continuum {
 
@@ -145,8 +145,8 @@ template <int Dimension>
 struct Kernel {
     static constexpr int dimension = Dimension, dofs = 2 * Dimension * (Dimension + 1);
 
-    std::vector<Station<Dimension>> stations;
-    std::vector<AxialStation> axial;  ///< of a rule that treats E A eps^2/2 apart
+    List<Station<Dimension>> stations;
+    List<AxialStation> axial;  ///< of a rule that treats E A eps^2/2 apart
 
     template <class S>
     [[nodiscard]] S energy(const Vector<S, dofs>& e) const noexcept;

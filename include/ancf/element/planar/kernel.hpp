@@ -16,12 +16,11 @@
 #include <ancf/element/planar/station.hpp>
 #include <ancf/element/rate.hpp>
 #include <ancf/element/station_data.hpp>
-#include <ancf/records.hpp>
+#include <ancf/list.hpp>
 #include <ancf/types.hpp>
 
 #include <cmath>
 #include <complex>
-#include <vector>
 
 namespace ancf::detail {
 
@@ -41,8 +40,8 @@ struct PlanarKernel {
     template <class S>
     using Nodes = PlanarNodes<S, Layout>;
 
-    std::vector<PlanarStation<Layout>> stations;
-    Records<AxialStationData<double, Layout::line>> axial;
+    List<PlanarStation<Layout>> stations;
+    List<AxialStationData<double, Layout::line>> axial;
     double transverse_stiffness;     ///< of e_yy times the length, N m
     double transverse_length = 0.0;  ///< l, m, that the parameter of nodal rates runs through
     double

@@ -20,10 +20,10 @@
 #include <ancf/element/station_data.hpp>
 #include <ancf/element/transport.hpp>
 #include <ancf/element/vec3.hpp>
+#include <ancf/list.hpp>
 #include <ancf/types.hpp>
 
 #include <type_traits>
-#include <vector>
 
 namespace ancf::detail {
 
@@ -235,8 +235,8 @@ inline constexpr int torsion_place[torsion_local] = {9,  10, 11, 3, 4,  5,  12, 
 struct TorsionKernel {
     static constexpr int dimension = 3, dofs = 18;
 
-    Records<AxialStationData<double>> axial;
-    std::vector<TorsionStation> stations;
+    List<AxialStationData<double>> axial;
+    List<TorsionStation> stations;
     TorsionHold holds[2];
 
     /// Takes the strains of a state as those of the stress-free state.

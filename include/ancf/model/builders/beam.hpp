@@ -9,6 +9,7 @@
 #include <ancf/element/fields.hpp>
 #include <ancf/element/mass.hpp>
 #include <ancf/error.hpp>
+#include <ancf/list.hpp>
 #include <ancf/model/loads/forces.hpp>
 #include <ancf/model/model.hpp>
 #include <ancf/section/material.hpp>
@@ -19,15 +20,14 @@
 #include <cstddef>
 #include <type_traits>
 #include <utility>
-#include <vector>
 
 namespace ancf {
 
 /// A chain of elements, without their type.
 struct Chain {
-    std::vector<NodeId> nodes;    ///< in order, one more than elements
-    std::vector<int> elements;    ///< indices in the model's group of this element type
-    std::vector<int> prototypes;  ///< indices of the prototypes added
+    List<NodeId> nodes;    ///< in order, one more than elements
+    List<int> elements;    ///< indices in the model's group of this element type
+    List<int> prototypes;  ///< indices of the prototypes added
 
     /// Returns the node at the start.
     /// @throws InvalidArgument for a beam that no builder made.
@@ -120,11 +120,10 @@ void check_straight_slopes(Fields fields, const Vector<double, Dimension>& along
 /// Adds nodes at equal distances.
 /// @param elements  one less than nodes
 template <int Dimension>
-[[nodiscard]] std::vector<NodeId> add_nodes_between(BasicModel<Dimension>& model,
-                                                    const Vector<double, Dimension>& from,
-                                                    const Vector<double, Dimension>& to,
-                                                    const Matrix<double, Dimension>& slopes,
-                                                    int elements);
+[[nodiscard]] List<NodeId> add_nodes_between(BasicModel<Dimension>& model,
+                                             const Vector<double, Dimension>& from,
+                                             const Vector<double, Dimension>& to,
+                                             const Matrix<double, Dimension>& slopes, int elements);
 
 /// Adds the beam's next element, of its last prototype.
 template <class Element>

@@ -5,6 +5,7 @@
 
 #include <ancf/compiler.hpp>
 #include <ancf/element/vec3.hpp>
+#include <ancf/list.hpp>
 #include <ancf/model/builders/beam.hpp>
 
 #include <cmath>
@@ -80,11 +81,10 @@ void check_straight_slopes(Fields fields, const Vector<double, Dimension>& along
 }
 
 template <int Dimension>
-std::vector<NodeId> add_nodes_between(BasicModel<Dimension>& model,
-                                      const Vector<double, Dimension>& from,
-                                      const Vector<double, Dimension>& to,
-                                      const Matrix<double, Dimension>& slopes, int elements) {
-    std::vector<NodeId> nodes;
+List<NodeId> add_nodes_between(BasicModel<Dimension>& model, const Vector<double, Dimension>& from,
+                               const Vector<double, Dimension>& to,
+                               const Matrix<double, Dimension>& slopes, int elements) {
+    List<NodeId> nodes;
     for (int k = 0; k <= elements; ++k) {
         const double part = static_cast<double>(k) / elements;
         Vector<double, Dimension> position;
@@ -136,15 +136,15 @@ ANCF_INLINE Matrix<double, 2> reference_slopes(const Vector<double, 2>& directio
 template double detail::distance_apart<2>(const Vector<double, 2>&, const Vector<double, 2>&);
 template void detail::check_straight_slopes<2>(Fields, const Vector<double, 2>&,
                                                const Matrix<double, 2>&);
-template std::vector<NodeId> detail::add_nodes_between<2>(BasicModel<2>&, const Vector<double, 2>&,
-                                                          const Vector<double, 2>&,
-                                                          const Matrix<double, 2>&, int);
+template List<NodeId> detail::add_nodes_between<2>(BasicModel<2>&, const Vector<double, 2>&,
+                                                   const Vector<double, 2>&,
+                                                   const Matrix<double, 2>&, int);
 template double detail::distance_apart<3>(const Vector<double, 3>&, const Vector<double, 3>&);
 template void detail::check_straight_slopes<3>(Fields, const Vector<double, 3>&,
                                                const Matrix<double, 3>&);
-template std::vector<NodeId> detail::add_nodes_between<3>(BasicModel<3>&, const Vector<double, 3>&,
-                                                          const Vector<double, 3>&,
-                                                          const Matrix<double, 3>&, int);
+template List<NodeId> detail::add_nodes_between<3>(BasicModel<3>&, const Vector<double, 3>&,
+                                                   const Vector<double, 3>&,
+                                                   const Matrix<double, 3>&, int);
 #endif
 
 }  // namespace ancf

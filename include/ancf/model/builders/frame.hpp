@@ -13,6 +13,7 @@
 #include <ancf/element/fields.hpp>
 #include <ancf/element/joint/affine_joint.hpp>
 #include <ancf/error.hpp>
+#include <ancf/list.hpp>
 #include <ancf/model/builders/beam.hpp>
 #include <ancf/model/layout.hpp>
 #include <ancf/model/model.hpp>
@@ -25,7 +26,6 @@
 #include <cstddef>
 #include <map>
 #include <utility>
-#include <vector>
 
 namespace ancf {
 
@@ -74,8 +74,8 @@ struct NetOptions {
 /// A frame or a net as a builder added it to a model.
 template <class Element>
 struct Frame {
-    std::vector<NodeId> joints;          ///< a node for each point: hold, load and drive these
-    std::vector<Beam<Element>> members;  ///< with ends of their own, attached to the joints
+    List<NodeId> joints;          ///< a node for each point: hold, load and drive these
+    List<Beam<Element>> members;  ///< with ends of their own, attached to the joints
 };
 
 namespace detail {
@@ -125,14 +125,13 @@ void check_member(const char* name, std::size_t place, const Member& member, std
 /// Adds members, equal ones of one prototype, and attaches their ends to joints.
 template <class Element, int Dimension, class... Options>
 Frame<Element> add_members(const char* name, BasicModel<Dimension>& model,
-                           const std::vector<Profile>& profiles,
-                           const std::vector<typename BasicModel<Dimension>::Point>& points,
-                           const std::vector<Member>& members,
-                           const Vector<double, Dimension>& y_axis, double strain,
-                           const Options&... options) {
+                           const List<Profile>& profiles,
+                           const List<typename BasicModel<Dimension>::Point>& points,
+                           const List<Member>& members, const Vector<double, Dimension>& y_axis,
+                           double strain, const Options&... options) {
     MemberPrototypes made;
-    std::vector<Element> prototypes;
-    std::vector<int> prototype_of;
+    List<Element> prototypes;
+    List<int> prototype_of;
     // all that may be refused comes before the model changes
     check_points(name, points.empty() ? nullptr : points.front().data(), points.size(), Dimension);
     for (std::size_t k = 0; k < members.size(); ++k) {
@@ -192,17 +191,16 @@ Frame<Element> add_members(const char* name, BasicModel<Dimension>& model,
 ///         coincide or do not exist, one of no elements or of no profile, with its place and
 ///         points; and what the element's constructor refuses. The model is then as it was.
 template <class Element = void, int Dimension, class... Options>
-auto frame(BasicModel<Dimension>& model, const std::vector<Profile>& profiles,
-           const std::vector<typename BasicModel<Dimension>::Point>& points,
-           const std::vector<Member>& members, const FrameOptions<Dimension>& frame_options = {},
-           const Options&... element) {
+auto frame(BasicModel<Dimension>& model, const List<Profile>& profiles,
+           const List<typename BasicModel<Dimension>::Point>& points, const List<Member>& members,
+           const FrameOptions<Dimension>& frame_options = {}, const Options&... element) {
     using Chosen = detail::named_element_t<Element, Dimension>;
     static_assert(Chosen::fields.contains(Field::r_y),
                   "frame joins sections: cables have none, take net");
     frame_options.check();
     auto built = detail::add_members<Chosen>("frame", model, profiles, points, members,
                                              frame_options.y_axis, 0.0, element...);
-    std::vector<detail::JointBlock> blocks(points.size());
+    List<detail::JointBlock> blocks(points.size());
     for (const Member& member : members)
         for (const int joint : {member.first, member.second})
             blocks[joint].add(profiles[member.profile]);
@@ -222,10 +220,9 @@ auto frame(BasicModel<Dimension>& model, const std::vector<Profile>& profiles,
 /// @return  the knots and the cables, in the order given.
 /// @throws InvalidArgument as frame().
 template <class Element = void, int Dimension, class... Options>
-auto net(BasicModel<Dimension>& model, const std::vector<Profile>& profiles,
-         const std::vector<typename BasicModel<Dimension>::Point>& points,
-         const std::vector<Member>& members, const NetOptions& net_options = {},
-         const Options&... element) {
+auto net(BasicModel<Dimension>& model, const List<Profile>& profiles,
+         const List<typename BasicModel<Dimension>::Point>& points, const List<Member>& members,
+         const NetOptions& net_options = {}, const Options&... element) {
     using Chosen = detail::named_element_t<Element, Dimension>;
     static_assert(!Chosen::fields.contains(Field::r_y),
                   "net pins cables: beams have sections, take frame");
@@ -244,11 +241,11 @@ auto net(BasicModel<Dimension>& model, const std::vector<Profile>& profiles,
 /// @throws InvalidArgument for fewer than two points, points that coincide or no elements.
 template <class Element = void, int Dimension, class... Options>
 auto polyline(BasicModel<Dimension>& model, const Material& material, const Section& section,
-              const std::vector<typename BasicModel<Dimension>::Point>& through, int elements,
+              const List<typename BasicModel<Dimension>::Point>& through, int elements,
               const Options&... options) {
     detail::require(through.size() >= 2, "polyline: at least two points are needed, got ",
                     through.size());
-    std::vector<Member> members;
+    List<Member> members;
     for (int k = 0; k + 1 < static_cast<int>(through.size()); ++k)
         members.push_back({k, k + 1, 0, elements});
     return frame<Element>(model, {{material, section}}, through, members, {}, options...);

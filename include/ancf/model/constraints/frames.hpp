@@ -9,12 +9,12 @@
 #pragma once
 
 #include <ancf/element/vec3.hpp>
+#include <ancf/list.hpp>
 #include <ancf/model/triad.hpp>
 
 #include <array>
 #include <cmath>
 #include <complex>
-#include <vector>
 
 namespace ancf::detail {
 
@@ -150,7 +150,7 @@ template <class Scalar>
 /// Coefficients of the bilinear forms of a joint.
 template <class Scalar>
 struct Forms {
-    std::vector<Block<Scalar>> sines;
+    List<Block<Scalar>> sines;
     Block<Scalar> cosine = {};
 };
 

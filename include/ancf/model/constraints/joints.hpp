@@ -16,6 +16,7 @@
 
 #include <ancf/element/fields.hpp>
 #include <ancf/element/vec3.hpp>
+#include <ancf/list.hpp>
 #include <ancf/model/constraint.hpp>
 #include <ancf/model/constraints/motion.hpp>
 #include <ancf/model/layout.hpp>
@@ -27,7 +28,6 @@
 #include <optional>
 #include <string>
 #include <utility>
-#include <vector>
 
 namespace ancf {
 
@@ -168,9 +168,9 @@ private:
     std::string what_;
     JointSide a_, b_;
     bool pinned_;
-    std::vector<Block<double>> sines_;  // forms at the start
-    Block<double> cosine_ = {};         // form at the start
-    std::vector<double> constants_;     // of the sines
+    List<Block<double>> sines_;  // forms at the start
+    Block<double> cosine_ = {};  // form at the start
+    List<double> constants_;     // of the sines
     double cosine_constant_ = 0.0;
     bool angular_ = false;         // the sines are of an angle that has the cosine
     Block<double> relative_ = {};  // R_A^T R_B at the start

@@ -5,6 +5,7 @@
 
 #include <ancf/compiler.hpp>
 #include <ancf/error.hpp>
+#include <ancf/list.hpp>
 #include <ancf/model/constraints/frames.hpp>
 #include <ancf/model/constraints/joints.hpp>
 #include <ancf/model/triad.hpp>
@@ -99,7 +100,7 @@ template <class Scalar>
 struct FrameJoint::At {
     Forms<Scalar> forms;
     Triad<Scalar> a, b;
-    std::vector<FrameForm<Scalar>> sines;
+    List<FrameForm<Scalar>> sines;
     FrameForm<Scalar> cosine;
     TurnFactor<Scalar> factor = {};
 
@@ -119,11 +120,11 @@ struct FrameJoint::At {
     }
 
     /// Returns the derivatives of the sines and, where the factor varies, of the cosine after them.
-    [[nodiscard]] std::vector<FormCourse> courses(const FrameJoint& joint,
-                                                  const ConstraintState& at) const {
+    [[nodiscard]] List<FormCourse> courses(const FrameJoint& joint,
+                                           const ConstraintState& at) const {
         std::array<double, 12> v = {};
         for (int k = 0; k < a.width + b.width; ++k) v[k] = at.v[joint.first_slope() + k];
-        std::vector<FormCourse> out;
+        List<FormCourse> out;
         for (const Block<double>& form : forms.sines) out.emplace_back(form, a, b, v);
         if (factor.varies) out.emplace_back(forms.cosine, a, b, v);
         if (!joint.angle_) return out;
@@ -224,7 +225,7 @@ ANCF_INLINE void FrameJoint::evaluate(const ConstraintState& at, ConstraintResul
     terms(at.q, at.time, out);
     const At<double> here(*this, at.q, at.time);
     const TurnFactor<double>& factor = here.factor;
-    const std::vector<FormCourse> forms = here.courses(*this, at);
+    const List<FormCourse> forms = here.courses(*this, at);
     const int first = first_slope();
     const int width = 3 * (a_.vectors() + b_.vectors());
     for (std::size_t k = 0; k < here.sines.size(); ++k) {

@@ -11,6 +11,7 @@
 
 #include <ancf/element/requirement.hpp>
 #include <ancf/error.hpp>
+#include <ancf/list.hpp>
 #include <ancf/model/constraint.hpp>
 #include <ancf/model/constraints/motion.hpp>
 #include <ancf/model/layout.hpp>
@@ -22,21 +23,20 @@
 #include <optional>
 #include <string>
 #include <utility>
-#include <vector>
 
 namespace ancf {
 
 /// A material point: a weighted sum of nodal vectors.
 struct MaterialPoint {
-    Coupling vectors;             ///< nodal vectors that it combines
-    std::vector<double> weights;  ///< of each vector
-    std::string name;             ///< for messages
+    Coupling vectors;      ///< nodal vectors that it combines
+    List<double> weights;  ///< of each vector
+    std::string name;      ///< for messages
 
     /// A node's position.
     MaterialPoint(NodeId node);  // NOLINT: a node is a point
 
     /// A weighted sum of vectors, with a name for messages.
-    MaterialPoint(Coupling at, std::vector<double> with, std::string called);
+    MaterialPoint(Coupling at, List<double> with, std::string called);
 };
 
 namespace detail {
@@ -82,7 +82,7 @@ public:
     void add_block(const Matrix<double, Dimension>& block, MatrixX& to) const;
 
     /// Returns the weights of the coupling's vectors, those of b with their sign turned.
-    [[nodiscard]] const std::vector<double>& weights() const noexcept { return weights_; }
+    [[nodiscard]] const List<double>& weights() const noexcept { return weights_; }
 
 private:
     static void check(const MaterialPoint& point);
@@ -90,7 +90,7 @@ private:
     MaterialPoint a_;
     std::optional<MaterialPoint> b_;
     std::optional<PointMotion<Dimension>> path_;
-    std::vector<double> weights_;
+    List<double> weights_;
 };
 
 }  // namespace detail
@@ -286,7 +286,7 @@ public:
     /// @param motions  (equation, motion) pairs; m for an equation in m.
     /// @throws InvalidArgument for an equation that does not exist or a motion that is not
     ///         complete.
-    Driven(Constraint constraint, std::vector<std::pair<int, Motion>> motions)
+    Driven(Constraint constraint, List<std::pair<int, Motion>> motions)
         : constraint_(std::move(constraint)), motions_(std::move(motions)) {
         for (const auto& [equation, motion] : motions_) {
             detail::require(equation >= 0 && equation < constraint_.equations(),
@@ -331,7 +331,7 @@ private:
     }
 
     Constraint constraint_;
-    std::vector<std::pair<int, Motion>> motions_;
+    List<std::pair<int, Motion>> motions_;
 };
 
 #if defined(ANCF_COMPILED)

@@ -6,6 +6,7 @@
 #include <ancf/compiler.hpp>
 #include <ancf/element/hermite.hpp>
 #include <ancf/element/vec3.hpp>
+#include <ancf/list.hpp>
 #include <ancf/model/constraints/points.hpp>
 
 #include <cmath>
@@ -15,7 +16,7 @@ namespace ancf {
 ANCF_INLINE MaterialPoint::MaterialPoint(NodeId node)
     : vectors{{node, Field::r}}, weights{1.0}, name(detail::joined({"node ", node.index})) {}
 
-ANCF_INLINE MaterialPoint::MaterialPoint(Coupling at, std::vector<double> with, std::string called)
+ANCF_INLINE MaterialPoint::MaterialPoint(Coupling at, List<double> with, std::string called)
     : vectors(std::move(at)), weights(std::move(with)), name(std::move(called)) {}
 
 namespace detail {

@@ -15,6 +15,7 @@
 
 #include <ancf/element/fields.hpp>
 #include <ancf/element/requirement.hpp>
+#include <ancf/list.hpp>
 #include <ancf/model/builders/beam.hpp>
 #include <ancf/model/constraint.hpp>
 #include <ancf/model/constraints/points.hpp>
@@ -25,7 +26,6 @@
 #include <array>
 #include <string>
 #include <utility>
-#include <vector>
 
 namespace ancf {
 
@@ -35,9 +35,9 @@ namespace detail {
 struct GuidePiece {
     using Powers = std::array<double, 6>;
 
-    std::vector<int> vectors;    ///< places in Guide::vectors
-    std::vector<Powers> line;    ///< of each vector in r; m/m or, of slopes, m
-    std::vector<Powers> across;  ///< of each vector in a vector across the line, if there is one
+    List<int> vectors;    ///< places in Guide::vectors
+    List<Powers> line;    ///< of each vector in r; m/m or, of slopes, m
+    List<Powers> across;  ///< of each vector in a vector across the line, if there is one
     double first = 0.0, last = 1.0;  ///< the range of xi
     double start = 0.0;              ///< Slider::station at xi = 0
 };
@@ -47,8 +47,8 @@ struct GuidePiece {
 /// A line that a point may slide along.
 template <int Dimension>
 struct Guide {
-    Coupling vectors;                        ///< nodal vectors that it combines
-    std::vector<detail::GuidePiece> pieces;  ///< in order
+    Coupling vectors;                 ///< nodal vectors that it combines
+    List<detail::GuidePiece> pieces;  ///< in order
     Vector<double, Dimension> across =
         Vector<double, Dimension>::Zero();  ///< where pieces have none; in space
     std::string name;                       ///< for messages
@@ -60,8 +60,8 @@ namespace detail {
 /// @param lengths  parameter lengths of the elements, m.
 /// @param fields   of the elements' nodes.
 template <int Dimension>
-[[nodiscard]] Guide<Dimension> guide_of_lines(const std::vector<Connection>& elements,
-                                              const std::vector<double>& lengths, Fields fields,
+[[nodiscard]] Guide<Dimension> guide_of_lines(const List<Connection>& elements,
+                                              const List<double>& lengths, Fields fields,
                                               const Vector<double, Dimension>& across);
 
 }  // namespace detail
@@ -79,8 +79,8 @@ template <class Element>
     const Vector<double, Element::dimension>& across = Vector<double, Element::dimension>::Zero()) {
     static_assert(Element::fields.contains(Field::r | Field::r_x),
                   "a guide along elements needs r and r_x at their nodes");
-    std::vector<Connection> elements;
-    std::vector<double> lengths;
+    List<Connection> elements;
+    List<double> lengths;
     const auto& group = model.template group<Element>();
     for (const int element : beam.elements) {
         elements.push_back(group.connection(element));
@@ -124,7 +124,7 @@ public:
     /// @{
     /// As of every constraint, see AnyConstraint.
     [[nodiscard]] Coupling coupling() const;
-    [[nodiscard]] std::vector<Coupling> stiffness_parts() const;
+    [[nodiscard]] List<Coupling> stiffness_parts() const;
     [[nodiscard]] int equations() const { return Dimension - 1; }
     [[nodiscard]] std::string name() const {
         return "slider of " + point_.name + " on " + guide_.name;
@@ -151,7 +151,7 @@ private:
     // The place next to the point.
     [[nodiscard]] Place place(const VectorX& q) const;
     // Those of the coupling's coordinates that count there: the point's, then the piece's.
-    [[nodiscard]] std::vector<int> coordinates(const Place& at) const;
+    [[nodiscard]] List<int> coordinates(const Place& at) const;
     // The terms at a place.
     template <class Scalar>
     void write(const Place& at, const DynamicVector<Scalar>& q, ConstraintTerms<Scalar>& out) const;

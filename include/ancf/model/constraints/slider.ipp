@@ -5,6 +5,7 @@
 
 #include <ancf/compiler.hpp>
 #include <ancf/error.hpp>
+#include <ancf/list.hpp>
 #include <ancf/model/constraints/slider.hpp>
 
 #include <algorithm>
@@ -32,7 +33,7 @@ template <int Derivative = 0, class Scalar>
 /// @param q  coordinates of which those of the guide begin at `first`.
 template <int Dimension, int Derivative = 0, class Scalar>
 [[nodiscard]] Vector<Scalar, Dimension> weighted(const GuidePiece& piece,
-                                                 const std::vector<GuidePiece::Powers>& weights,
+                                                 const List<GuidePiece::Powers>& weights,
                                                  const Scalar& xi, const DynamicVector<Scalar>& q,
                                                  int first) {
     Vector<Scalar, Dimension> out = Vector<Scalar, Dimension>::Zero();
@@ -104,7 +105,7 @@ template <int Dimension>
 
 /// Returns the weights by powers of the centre line of an element: of r, r_x and, where it is
 /// quintic, r_xx of its first node, then of its second one; element/hermite.hpp.
-[[nodiscard]] ANCF_INLINE std::vector<GuidePiece::Powers> line_powers(bool quintic, double l) {
+[[nodiscard]] ANCF_INLINE List<GuidePiece::Powers> line_powers(bool quintic, double l) {
     if (!quintic) return {{1, 0, -3, 2}, {0, l, -2 * l, l}, {0, 0, 3, -2}, {0, 0, -l, l}};
     const double h = 0.5 * l * l;
     return {{1, 0, 0, -10, 15, -6}, {0, l, 0, -6 * l, 8 * l, -3 * l}, {0, 0, h, -3 * h, 3 * h, -h},
@@ -112,9 +113,8 @@ template <int Dimension>
 }
 
 template <int Dimension>
-Guide<Dimension> guide_of_lines(const std::vector<Connection>& elements,
-                                const std::vector<double>& lengths, Fields fields,
-                                const Vector<double, Dimension>& across) {
+Guide<Dimension> guide_of_lines(const List<Connection>& elements, const List<double>& lengths,
+                                Fields fields, const Vector<double, Dimension>& across) {
     require(!elements.empty(), "guide_along: a guide needs an element");
     const bool quintic = fields.contains(Field::r_xx), section = fields.contains(Field::r_y);
     require(Dimension == 2 || section || (all_finite(across) && across.norm() > 0.0),
@@ -218,8 +218,8 @@ Coupling Slider<Dimension>::coupling() const {
 }
 
 template <int Dimension>
-std::vector<Coupling> Slider<Dimension>::stiffness_parts() const {
-    std::vector<Coupling> parts;
+List<Coupling> Slider<Dimension>::stiffness_parts() const {
+    List<Coupling> parts;
     for (const detail::GuidePiece& piece : guide_.pieces) {
         parts.push_back(point_.vectors);
         for (const int vector : piece.vectors) parts.back().push_back(guide_.vectors[vector]);
@@ -265,8 +265,8 @@ typename Slider<Dimension>::Place Slider<Dimension>::place(const VectorX& q) con
 }
 
 template <int Dimension>
-std::vector<int> Slider<Dimension>::coordinates(const Place& at) const {
-    std::vector<int> out;
+List<int> Slider<Dimension>::coordinates(const Place& at) const {
+    List<int> out;
     for (int i = 0; i < guide_start(); ++i) out.push_back(i);
     for (const int vector : at.piece->vectors)
         for (int i = 0; i < Dimension; ++i) out.push_back(guide_start() + Dimension * vector + i);
@@ -358,7 +358,7 @@ void Slider<Dimension>::evaluate(const ConstraintState& at, ConstraintResult& ou
     write(here, at.q, out);
     // Second derivatives by complex steps, exact to round-off.
     out.active = coordinates(here);
-    const std::vector<int>& local = out.active;
+    const List<int>& local = out.active;
     out.stiffness.setZero(static_cast<Eigen::Index>(local.size()),
                           static_cast<Eigen::Index>(local.size()));
     DynamicVector<std::complex<double>> q = at.q.template cast<std::complex<double>>();
@@ -379,10 +379,10 @@ void Slider<Dimension>::evaluate(const ConstraintState& at, ConstraintResult& ou
 #if defined(ANCF_SOURCE)
 template Guide<2> straight_guide(const BasicModel<2>&, NodeId, const Vector<double, 2>&);
 template Guide<3> straight_guide(const BasicModel<3>&, NodeId, const Vector<double, 3>&);
-template Guide<2> detail::guide_of_lines(const std::vector<Connection>&, const std::vector<double>&,
-                                         Fields, const Vector<double, 2>&);
-template Guide<3> detail::guide_of_lines(const std::vector<Connection>&, const std::vector<double>&,
-                                         Fields, const Vector<double, 3>&);
+template Guide<2> detail::guide_of_lines(const List<Connection>&, const List<double>&, Fields,
+                                         const Vector<double, 2>&);
+template Guide<3> detail::guide_of_lines(const List<Connection>&, const List<double>&, Fields,
+                                         const Vector<double, 3>&);
 template class Slider<2>;
 template class Slider<3>;
 ANCF_CONSTRAINT_INSTANCES(Slider<2>)

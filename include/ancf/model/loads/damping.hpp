@@ -15,6 +15,7 @@
 #include <ancf/element/pack.hpp>
 #include <ancf/element/rate.hpp>
 #include <ancf/error.hpp>
+#include <ancf/list.hpp>
 #include <ancf/model/builders/beam.hpp>
 #include <ancf/model/load.hpp>
 #include <ancf/model/scene.hpp>
@@ -23,7 +24,6 @@
 #include <memory>
 #include <unordered_map>
 #include <utility>
-#include <vector>
 
 namespace ancf {
 
@@ -56,9 +56,9 @@ private:
 namespace detail {
 
 ANCF_LAZY void add_rayleigh_damping(Scene& model, const ElementGroup& group,
-                                    const std::vector<int>& elements, double a, double b,
+                                    const List<int>& elements, double a, double b,
                                     const Amplitude& amplitude);
-ANCF_LAZY void add_drag(Scene& model, const ElementGroup& group, const std::vector<int>& elements,
+ANCF_LAZY void add_drag(Scene& model, const ElementGroup& group, const List<int>& elements,
                         double c, const Amplitude& amplitude);
 
 /// Of an element that has derivatives of its damping.

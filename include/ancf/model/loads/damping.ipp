@@ -5,6 +5,7 @@
 
 #include <ancf/compiler.hpp>
 #include <ancf/element/fields.hpp>
+#include <ancf/list.hpp>
 #include <ancf/model/element_group.hpp>
 #include <ancf/model/loads/damping.hpp>
 
@@ -20,7 +21,7 @@ ANCF_LAZY void LinearDamping::evaluate(const LoadState& state, LoadResult& out) 
 namespace detail {
 
 ANCF_LAZY void add_rayleigh_damping(Scene& model, const ElementGroup& group,
-                                    const std::vector<int>& elements, double a, double b,
+                                    const List<int>& elements, double a, double b,
                                     const Amplitude& amplitude) {
     require_not_negative("add_rayleigh_damping: a", a);
     require_not_negative("add_rayleigh_damping: b", b);
@@ -60,7 +61,7 @@ ANCF_INLINE MatrixX line_mass(const ElementGroup& group, int prototype, int dime
     return mass;
 }
 
-ANCF_LAZY void add_drag(Scene& model, const ElementGroup& group, const std::vector<int>& elements,
+ANCF_LAZY void add_drag(Scene& model, const ElementGroup& group, const List<int>& elements,
                         double c, const Amplitude& amplitude) {
     require_not_negative("add_drag: the drag", c);
     const int node = group.dofs() / 2;
