@@ -114,7 +114,7 @@ public:
     /// Holds a copy of the constraint.
     template <class Constraint>
     explicit AnyConstraint(Constraint constraint)
-        : held_(std::make_shared<Holder<Constraint>>(std::move(constraint))),
+        : held_(new Holder<Constraint>(std::move(constraint))),
           equations_(held_->equations()),
           parted_(detail::offers<detail::StiffnessParts, Constraint>) {
         static_assert(is_constraint_v<Constraint>,

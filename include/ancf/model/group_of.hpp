@@ -125,7 +125,7 @@ public:
     }
 
     [[nodiscard]] std::unique_ptr<ElementGroup> clone() const override {
-        return std::make_unique<GroupOf>(*this);
+        return std::unique_ptr<ElementGroup>(new GroupOf(*this));
     }
     [[nodiscard]] int prototype_count() const noexcept override {
         return static_cast<int>(prototypes.size());
@@ -322,7 +322,7 @@ namespace detail {
 
 template <class Element>
 std::unique_ptr<ElementGroup> make_group() {
-    return std::make_unique<GroupOf<Element>>();
+    return std::unique_ptr<ElementGroup>(new GroupOf<Element>);
 }
 
 template <class Element>

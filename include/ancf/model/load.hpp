@@ -81,7 +81,7 @@ public:
     /// Holds a copy of the load.
     template <class Load>
     explicit AnyLoad(Load load)
-        : held_(std::make_shared<Holder<Load>>(std::move(load))),
+        : held_(new Holder<Load>(std::move(load))),
           constant_(detail::offers<detail::ConstantForce, Load>),
           symmetric_(constant_ || detail::offers<detail::SymmetricStiffness, Load>),
           settles_(detail::offers<detail::Settles, Load>) {
@@ -131,9 +131,10 @@ private:
         [[nodiscard]] Coupling coupling() const override { return load.coupling(); }
         [[nodiscard]] std::shared_ptr<const Interface> settled(
             const Layout& layout) const override {
-            auto copy = std::make_shared<Holder>(load);
+            Holder* const copy = new Holder(load);
+            std::shared_ptr<const Interface> held(copy);
             if constexpr (detail::offers<detail::Settles, Load>) copy->load.settle(layout);
-            return copy;
+            return held;
         }
         void evaluate(const LoadState& state, LoadResult& out) const override {
             load.evaluate(state, out);

@@ -14,7 +14,6 @@
 #include <ancf/list.hpp>
 #include <ancf/section/moments.hpp>
 
-#include <optional>
 #include <utility>
 
 namespace ancf {
@@ -52,28 +51,26 @@ public:
 
     /// Returns the moments that the density multiplies: moments() unless with_mass_moments() gave
     /// others.
-    [[nodiscard]] const Moments& mass_moments() const noexcept {
-        return mass_moments_ ? *mass_moments_ : moments_;
-    }
+    [[nodiscard]] const Moments& mass_moments() const noexcept { return mass_moments_; }
 
     /// Returns k_y, which multiplies the stress of 2 e_xy, 1.
     /// @throws InvalidArgument if it is unset.
-    [[nodiscard]] double shear_correction_y() const { return shear_correction().first; }
+    [[nodiscard]] double shear_correction_y() const { return shear_correction()[0]; }
 
     /// Returns k_z, which multiplies the stress of 2 e_xz, 1.
     /// @throws InvalidArgument if it is unset.
-    [[nodiscard]] double shear_correction_z() const { return shear_correction().second; }
+    [[nodiscard]] double shear_correction_z() const { return shear_correction()[1]; }
 
     /// Returns the Saint-Venant torsion constant J, m^4.
     /// @throws InvalidArgument if it is unset.
     [[nodiscard]] double torsion_constant() const;
 
     /// Whether with_shear_centre() gave a point.
-    [[nodiscard]] bool has_shear_centre() const noexcept { return shear_centre_.has_value(); }
+    [[nodiscard]] bool has_shear_centre() const noexcept { return has_shear_centre_; }
 
     /// Returns the shear centre from the reference axis, m: the centroid where none was given.
     [[nodiscard]] SectionPoint shear_centre() const noexcept {
-        if (shear_centre_) return *shear_centre_;
+        if (has_shear_centre_) return shear_centre_;
         return {moments_.y / moments_.area, moments_.z / moments_.area};
     }
 
@@ -112,15 +109,17 @@ private:
     friend Section offset(const Section& section, double dy, double dz);
 
     Section(const Moments& moments, List<SectionPoint> outline)
-        : moments_(moments), outline_(std::move(outline)) {}
+        : moments_(moments), mass_moments_(moments), outline_(std::move(outline)) {}
 
-    [[nodiscard]] const std::pair<double, double>& shear_correction() const;
+    // Returns k_y and k_z.
+    [[nodiscard]] const double* shear_correction() const;
 
     Moments moments_;
-    std::optional<Moments> mass_moments_;
-    std::optional<std::pair<double, double>> shear_correction_;
-    std::optional<double> torsion_constant_;
-    std::optional<SectionPoint> shear_centre_;
+    Moments mass_moments_;
+    double shear_correction_[2] = {};  // k_y, k_z; 0: unset
+    double torsion_constant_ = 0.0;    // 0: unset
+    bool has_shear_centre_ = false;
+    SectionPoint shear_centre_ = {};
     List<SectionPoint> outline_;
 };
 

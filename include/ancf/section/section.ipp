@@ -102,23 +102,24 @@ ANCF_INLINE Section Section::from_moments(const Moments& moments) {
 
 ANCF_INLINE double Section::torsion_constant() const {
     detail::require(
-        torsion_constant_.has_value(),
+        torsion_constant_ > 0.0,
         "torsion_constant of this section is unset: give it by with_torsion_constant(J)");
-    return *torsion_constant_;
+    return torsion_constant_;
 }
 
-ANCF_INLINE const std::pair<double, double>& Section::shear_correction() const {
+ANCF_INLINE const double* Section::shear_correction() const {
     detail::require(
-        shear_correction_.has_value(),
+        shear_correction_[0] > 0.0,
         "shear_correction of this section is unset: give it by with_shear_correction(k_y, k_z)");
-    return *shear_correction_;
+    return shear_correction_;
 }
 
 ANCF_INLINE Section Section::with_shear_correction(double k_y, double k_z) const {
     detail::require_positive("shear_correction_y", k_y);
     detail::require_positive("shear_correction_z", k_z);
     Section section = *this;
-    section.shear_correction_ = {k_y, k_z};
+    section.shear_correction_[0] = k_y;
+    section.shear_correction_[1] = k_z;
     return section;
 }
 
@@ -133,6 +134,7 @@ ANCF_INLINE Section Section::with_shear_centre(SectionPoint point) const {
     detail::require_finite("shear centre y", point.y);
     detail::require_finite("shear centre z", point.z);
     Section section = *this;
+    section.has_shear_centre_ = true;
     section.shear_centre_ = point;
     return section;
 }
@@ -157,7 +159,7 @@ ANCF_INLINE Section Section::with_outline(List<SectionPoint> outline) const {
 ANCF_INLINE Section rectangle(double width, double height) {
     const double torsion = rectangle_torsion_constant(width, height);
     Section section = Section::from_moments(detail::rectangle_moments(width, height));
-    section.shear_correction_ = {5.0 / 6.0, 5.0 / 6.0};
+    for (double& k : section.shear_correction_) k = 5.0 / 6.0;
     section.torsion_constant_ = torsion;
     section.outline_ = detail::rectangle_outline(width, height);
     return section;
@@ -192,9 +194,8 @@ ANCF_INLINE Section offset(const Section& section, double dy, double dz) {
     detail::require_finite("offset dz", dz);
     Section moved = section;
     moved.moments_ = translated(section.moments_, dy, dz);
-    if (section.mass_moments_) moved.mass_moments_ = translated(*section.mass_moments_, dy, dz);
-    if (const auto& centre = section.shear_centre_)
-        moved.shear_centre_ = {centre->y + dy, centre->z + dz};
+    moved.mass_moments_ = translated(section.mass_moments_, dy, dz);
+    moved.shear_centre_ = {section.shear_centre_.y + dy, section.shear_centre_.z + dz};
     for (SectionPoint& point : moved.outline_) point = {point.y + dy, point.z + dz};
     return moved;
 }

@@ -27,31 +27,38 @@ public:
         common_.tol = pivot_tolerance;
         common_.scale = -1;
     }
+    KluFactors(const KluFactors&) = delete;
+    KluFactors& operator=(const KluFactors&) = delete;
+    ~KluFactors() {
+        free_numeric();
+        klu_free_symbolic(&symbolic_, &common_);
+    }
 
     void analyze(const SparseMatrix& pattern) {
         matrix_.analyze(pattern);
-        numeric_.reset();
-        symbolic_.reset(klu_analyze(matrix_.size(), matrix_.outer(), matrix_.inner(), &common_));
+        free_numeric();
+        klu_free_symbolic(&symbolic_, &common_);
+        symbolic_ = klu_analyze(matrix_.size(), matrix_.outer(), matrix_.inner(), &common_);
         check();
     }
 
     /// Which column is left without a pivot depends on KLU's order, not on the scene: untold.
     [[nodiscard]] Status factorize(const Scalar* values) {
-        numeric_.reset();
+        free_numeric();
         if (!matrix_.take(values)) return Status::not_finite;
-        if (!symbolic_) return Status::singular;  // no pivots whatever the values
+        if (symbolic_ == nullptr) return Status::singular;  // no pivots whatever the values
         constexpr auto factor = real ? klu_factor : klu_z_factor;
-        numeric_.reset(
-            factor(matrix_.outer(), matrix_.inner(), matrix_.values(), symbolic_.get(), &common_));
+        numeric_ = factor(matrix_.outer(), matrix_.inner(), matrix_.values(), symbolic_, &common_);
         check();
-        return common_.status == KLU_SINGULAR || !numeric_ ? Status::singular : Status::converged;
+        const bool regular = common_.status != KLU_SINGULAR && numeric_ != nullptr;
+        return regular ? Status::converged : Status::singular;
     }
 
     /// Replaces b by the solution.
     void solve(Column& b) const {
         constexpr auto substitute = real ? klu_solve : klu_z_solve;
         matrix_.scale_right(b);
-        substitute(symbolic_.get(), numeric_.get(), static_cast<int>(b.size()), 1,
+        substitute(symbolic_, numeric_, static_cast<int>(b.size()), 1,
                    reinterpret_cast<double*>(b.data()), &common_);
         check();
         matrix_.scale_solution(b);
@@ -63,19 +70,10 @@ public:
 private:
     static constexpr bool real = std::is_same_v<Scalar, double>;
 
-    // Frees what KLU allocated, by any common of its own kind.
-    struct Free {
-        void operator()(klu_symbolic* symbolic) const noexcept {
-            klu_common common;
-            klu_defaults(&common);
-            klu_free_symbolic(&symbolic, &common);
-        }
-        void operator()(klu_numeric* numeric) const noexcept {
-            klu_common common;
-            klu_defaults(&common);
-            real ? klu_free_numeric(&numeric, &common) : klu_z_free_numeric(&numeric, &common);
-        }
-    };
+    // The functions of KLU that free leave a null pointer.
+    void free_numeric() noexcept {
+        real ? klu_free_numeric(&numeric_, &common_) : klu_z_free_numeric(&numeric_, &common_);
+    }
 
     // Throws what KLU's status asks for; a singular matrix is none of it.
     void check() const {
@@ -86,8 +84,8 @@ private:
 
     mutable klu_common common_;
     Equilibrated<Scalar> matrix_;
-    std::unique_ptr<klu_symbolic, Free> symbolic_;
-    std::unique_ptr<klu_numeric, Free> numeric_;
+    klu_symbolic* symbolic_ = nullptr;
+    klu_numeric* numeric_ = nullptr;
 };
 
 }  // namespace detail
@@ -111,8 +109,8 @@ ANCF_INLINE void Klu::substitute(const VectorX& b, VectorX& x) const {
 }
 
 ANCF_INLINE std::unique_ptr<ComplexSolver> Klu::complex_solver() const {
-    return std::make_unique<detail::ComplexDirect<detail::KluFactors>>("complex klu",
-                                                                       options_.pivot_tolerance);
+    return std::unique_ptr<ComplexSolver>(
+        new detail::ComplexDirect<detail::KluFactors>("complex klu", options_.pivot_tolerance));
 }
 
 }  // namespace ancf::suitesparse

@@ -46,6 +46,8 @@ struct PointMotion {
     Function rate;                                                      ///< m/s
     Function acceleration;                                              ///< m/s^2
 
+    PointMotion() = default;
+
     /// From position, velocity and acceleration over time.
     template <
         class Value, class Rate, class Acceleration,

@@ -20,7 +20,6 @@
 #include <ancf/vector_argument.hpp>
 
 #include <array>
-#include <optional>
 #include <string>
 #include <utility>
 
@@ -64,12 +63,12 @@ public:
     /// The part of d's rate that time alone makes.
     template <class Scalar>
     [[nodiscard]] Vector<Scalar, Dimension> drift(const Scalar& time) const {
-        if (!path_) return Vector<Scalar, Dimension>::Zero();
-        return -continued(path_->rate, path_->acceleration, time);
+        if (!path_.value) return Vector<Scalar, Dimension>::Zero();
+        return -continued(path_.rate, path_.acceleration, time);
     }
     [[nodiscard]] Vector<double, Dimension> drift_rate(double time) const {
-        if (!path_) return Vector<double, Dimension>::Zero();
-        return -path_->acceleration(time);
+        if (!path_.value) return Vector<double, Dimension>::Zero();
+        return -path_.acceleration(time);
     }
 
     /// The sum of weighted vectors: W q.
@@ -88,8 +87,8 @@ private:
     static void check(const MaterialPoint& point);
 
     MaterialPoint a_;
-    std::optional<MaterialPoint> b_;
-    std::optional<PointMotion<Dimension>> path_;
+    MaterialPoint b_;              // of no vectors where a path is given
+    PointMotion<Dimension> path_;  // empty where b is given
     List<double> weights_;
 };
 

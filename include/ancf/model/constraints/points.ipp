@@ -47,18 +47,21 @@ template <int Dimension>
 PointPair<Dimension>::PointPair(MaterialPoint a, MaterialPoint b)
     : a_(std::move(a)), b_(std::move(b)), weights_(a_.weights) {
     check(a_);
-    check(*b_);
-    require(a_.vectors.size() != 1 || b_->vectors.size() != 1 ||
-                a_.vectors[0].node != b_->vectors[0].node,
+    check(b_);
+    require(a_.vectors.size() != 1 || b_.vectors.size() != 1 ||
+                a_.vectors[0].node != b_.vectors[0].node,
             "expected two points, got ", a_.name, " twice");
-    for (const double weight : b_->weights) weights_.push_back(-weight);
+    for (const double weight : b_.weights) weights_.push_back(-weight);
 }
 
 template <int Dimension>
 PointPair<Dimension>::PointPair(MaterialPoint a, PointMotion<Dimension> path)
-    : a_(std::move(a)), path_(std::move(path)), weights_(a_.weights) {
+    : a_(std::move(a)),
+      b_({}, {}, "a point of space"),
+      path_(std::move(path)),
+      weights_(a_.weights) {
     check(a_);
-    path_->check("a point on a path");
+    path_.check("a point on a path");
 }
 
 template <int Dimension>
@@ -71,13 +74,13 @@ PointPair<Dimension>::PointPair(MaterialPoint a, const Vector<double, Dimension>
 template <int Dimension>
 Coupling PointPair<Dimension>::coupling() const {
     Coupling all = a_.vectors;
-    if (b_) all.insert(all.end(), b_->vectors.begin(), b_->vectors.end());
+    all.insert(all.end(), b_.vectors.begin(), b_.vectors.end());
     return all;
 }
 
 template <int Dimension>
 std::string PointPair<Dimension>::names() const {
-    return b_ ? a_.name + " and " + b_->name : a_.name + " and a point of space";
+    return a_.name + " and " + b_.name;
 }
 
 template <int Dimension>
@@ -85,8 +88,8 @@ template <class Scalar>
 Vector<Scalar, Dimension> PointPair<Dimension>::difference(const DynamicVector<Scalar>& q,
                                                            const Scalar& time) const {
     Vector<Scalar, Dimension> d = moved(q);
-    if (!path_) return d;
-    const Vector<Scalar, Dimension> place = continued(path_->value, path_->rate, time);
+    if (!path_.value) return d;
+    const Vector<Scalar, Dimension> place = continued(path_.value, path_.rate, time);
     for (int i = 0; i < Dimension; ++i) d[i] -= place[i];
     return d;
 }
