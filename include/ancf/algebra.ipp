@@ -18,8 +18,13 @@ ANCF_INLINE void gather(const VectorX& x, const List<int>& at, VectorX& out) {
 }
 
 ANCF_INLINE double largest_ratio(const VectorX& x, const VectorX& scale) {
-    if (x.size() == 0) return 0.0;
-    return x.cwiseAbs().cwiseQuotient(scale).maxCoeff<Eigen::PropagateNaN>();
+    double largest = 0.0;
+    for (Eigen::Index k = 0; k < x.size(); ++k) {
+        const double ratio = std::abs(x[k]) / scale[k];
+        if (std::isnan(ratio)) return ratio;
+        largest = std::max(largest, ratio);
+    }
+    return largest;
 }
 
 ANCF_INLINE double largest_magnitude(const VectorX& x) noexcept {
@@ -144,11 +149,14 @@ ANCF_INLINE void complete_roots(const SparseMatrix& matrix, double one, VectorX&
     for_each_tie([&](int tie, int tied, double root) {
         if (root < 0x1p-20 * firm[tie]) known[tied] = 0.0;
     });
-    for (int i = 0; i < size; ++i)
+    bool incomplete = false;
+    for (int i = 0; i < size; ++i) {
         if (one * roots[i] * roots[i] > 1e-2 * largest[i]) known[i] = roots[i];
+        incomplete = incomplete || known[i] == 0.0;
+    }
     // From one to the next, first by entries that count in their rows. The limit spares long chains
     // of rows without a diagonal.
-    for (int pass = 0; pass < 20 && known.size() > 0 && known.minCoeff() == 0.0; ++pass) {
+    for (int pass = 0; pass < 20 && incomplete; ++pass) {
         VectorX next = roots, beside = VectorX::Zero(size);
         for_each([&](int i, int j, double entry) {
             if ((known[i] == 0.0) == (known[j] == 0.0)) return;
@@ -156,9 +164,12 @@ ANCF_INLINE void complete_roots(const SparseMatrix& matrix, double one, VectorX&
             next[lacking] = std::max(next[lacking], entry / (one * known[other]));
             beside[lacking] = std::max(beside[lacking], entry);
         });
-        for (int i = 0; i < size; ++i)
+        incomplete = false;
+        for (int i = 0; i < size; ++i) {
             if (known[i] == 0.0 && beside[i] > (pass < 10 ? 1e-2 : 0.0) * largest[i])
                 known[i] = next[i];
+            incomplete = incomplete || known[i] == 0.0;
+        }
     }
     for (int i = 0; i < size; ++i) {
         if (known[i] > 0.0) roots[i] = known[i];

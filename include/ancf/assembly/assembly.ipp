@@ -571,7 +571,7 @@ ANCF_INLINE void Assembly::add_load_tangent_change(const VectorX& q, const Vecto
     constexpr double round_off = 64.0 * std::numeric_limits<double>::epsilon();
     const VectorX rest = VectorX::Zero(q.size());
     SparseMatrix sum = tangent_;
-    for (int k = 0; k < sum.nonZeros(); ++k) sum.valuePtr()[k] = 0.0;
+    for (int k = 0; k < detail::entries(sum); ++k) sum.valuePtr()[k] = 0.0;
     SparseMatrix noise = sum;
     for (const double sign : {-1.0, 1.0})
         for_each_load(
@@ -583,7 +583,7 @@ ANCF_INLINE void Assembly::add_load_tangent_change(const VectorX& q, const Vecto
                 block.setConstant(round_off * block.cwiseAbs().maxCoeff());
                 add_matrix(coordinates, 1.0, block, noise);
             });
-    for (int k = 0; k < sum.nonZeros(); ++k)
+    for (int k = 0; k < detail::entries(sum); ++k)
         if (std::abs(sum.valuePtr()[k]) > noise.valuePtr()[k])
             matrix.valuePtr()[k] += sum.valuePtr()[k];
 }

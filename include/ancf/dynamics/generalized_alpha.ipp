@@ -124,7 +124,8 @@ private:
         problem_.numbering().set_free(jerk, whole);
         problem_.numbering().dependence().complete(whole);
         solve_mass_step(jerk, problem_.constraints().product(whole));
-        now_.algorithmic += offset_ * width_ * solution_.head(problem_.size());
+        for (int i = 0; i < problem_.size(); ++i)
+            now_.algorithmic[i] += offset_ * width_ * solution_[i];
     }
 
     /// Takes the accelerations of vibrations that steps do not resolve away, and what belongs to
@@ -137,13 +138,14 @@ private:
         report_.evaluations += 3;
         if (problem_.force_curvature(at, 0.1 * width_, change)) return;
         rhs_.setZero(problem_.numbering().unknowns());
-        rhs_.head(problem_.size()) = -width_ * width_ * beta_hat_ * change;
+        for (int i = 0; i < problem_.size(); ++i)
+            rhs_[i] = -width_ * width_ * beta_hat_ * change[i];
         solve_with(solver_, rhs_, solution_);
         change = solution_.head(problem_.size());
         at.acceleration += change;
         at.multipliers += solution_.tail(problem_.multipliers());
         solve_mass_step(change, VectorX::Zero(problem_.multipliers()));
-        at.acceleration -= solution_.head(problem_.size());
+        for (int i = 0; i < problem_.size(); ++i) at.acceleration[i] -= solution_[i];
     }
 
     /// Solves A (x, .) = (M y, g) by the factorised matrix of a step.
@@ -151,8 +153,8 @@ private:
         product_.setZero(problem_.size());
         problem_.add_mass_product(1.0, y, product_);
         rhs_.resize(problem_.numbering().unknowns());
-        rhs_.head(problem_.size()) = product_;
-        rhs_.tail(problem_.multipliers()) = g;
+        for (int i = 0; i < problem_.size(); ++i) rhs_[i] = product_[i];
+        for (int i = 0; i < problem_.multipliers(); ++i) rhs_[problem_.size() + i] = g[i];
         solve_with(solver_, rhs_, solution_);
     }
 
@@ -224,8 +226,10 @@ private:
             const double factor = 0.85 / std::cbrt(std::max(peak_, 1e-3));
             if (status == Status::converged && error <= 1.0) {
                 // vibrations that steps do not resolve fade in it as fast as in the motion
-                jerk_ += (1.0 - options_.rho) *
-                         ((next_.algorithmic - now_.algorithmic) / step.width - jerk_);
+                for (Eigen::Index k = 0; k < jerk_.size(); ++k)
+                    jerk_[k] +=
+                        (1.0 - options_.rho) *
+                        ((next_.algorithmic[k] - now_.algorithmic[k]) / step.width - jerk_[k]);
                 grid_.take(step);
                 frames_.end_step(step.width);
                 rests_ = error < resting;
@@ -250,7 +254,9 @@ private:
     void change_width(double width) {
         if (width == width_) return;
         const double ratio = width / width_;
-        now_.algorithmic = now_.acceleration + ratio * (now_.algorithmic - now_.acceleration);
+        for (Eigen::Index k = 0; k < now_.algorithmic.size(); ++k)
+            now_.algorithmic[k] =
+                now_.acceleration[k] + ratio * (now_.algorithmic[k] - now_.acceleration[k]);
         const auto hold = [&](VectorX& v) {
             return problem_.multipliers() == 0 || problem_.project_rates(now_.time, now_.q, v, 1);
         };
@@ -261,7 +267,8 @@ private:
             moved -= error_constant_ * (width * width - width_ * width_) * jerk_;
             holds = holds && hold(moved);
         }
-        if (holds) now_.v = moved + ratio * ratio * (now_.v - held);
+        for (Eigen::Index k = 0; holds && k < held.size(); ++k)
+            now_.v[k] = moved[k] + ratio * ratio * (now_.v[k] - held[k]);
         peak_ *= ratio * ratio * ratio;
         width_ = width;
     }
@@ -322,10 +329,11 @@ private:
                 fresh = true;
                 since = 0;
             }
-            product_ = -problem_.force();
-            problem_.add_mass_product(-1.0, next_.acceleration, product_);
-            rhs_.head(n) = product_;
-            rhs_.tail(m) = problem_.constraint_residual() / (-h * h * beta_hat_);
+            product_ = problem_.force();
+            problem_.add_mass_product(1.0, next_.acceleration, product_);
+            for (int i = 0; i < n; ++i) rhs_[i] = -product_[i];
+            for (int i = 0; i < m; ++i)
+                rhs_[n + i] = problem_.constraint_residual()[i] / (-h * h * beta_hat_);
             if (frames_.turn()) frames_.carry(next_.q, linearised_.q, rhs_.data());
             solve_with(solver_, rhs_, solution_);
             if (frames_.turn()) frames_.carry(linearised_.q, next_.q, solution_.data());
@@ -411,10 +419,17 @@ private:
     void predict(double h) {
         next_.lambda = now_.lambda;
         next_.acceleration = now_.acceleration;
-        next_.algorithmic = (now_.acceleration - am_ * now_.algorithmic) / (1.0 - am_);
-        next_.q = now_.q + h * now_.v + h * h * (0.5 - beta_) * now_.algorithmic +
-                  h * h * beta_ * next_.algorithmic;
-        next_.v = now_.v + h * (1.0 - gamma_) * now_.algorithmic + h * gamma_ * next_.algorithmic;
+        next_.algorithmic = now_.algorithmic;
+        next_.q = now_.q;
+        next_.v = now_.v;
+        for (Eigen::Index k = 0; k < next_.q.size(); ++k) {
+            const double before = now_.algorithmic[k];
+            const double after = (now_.acceleration[k] - am_ * before) / (1.0 - am_);
+            next_.algorithmic[k] = after;
+            next_.q[k] =
+                now_.q[k] + h * now_.v[k] + h * h * (0.5 - beta_) * before + h * h * beta_ * after;
+            next_.v[k] = now_.v[k] + h * (1.0 - gamma_) * before + h * gamma_ * after;
+        }
     }
 
     /// Takes back the strains of the prediction, in frames that turn and keep them.
@@ -422,7 +437,9 @@ private:
         if (!frames_.turn()) return;
         VectorX kept = next_.q;
         frames_.begin_step(now_.q, kept);
-        add(h, (kept - next_.q) / (h * h * beta_hat_));
+        for (Eigen::Index k = 0; k < kept.size(); ++k)
+            kept[k] = (kept[k] - next_.q[k]) / (h * h * beta_hat_);
+        add(h, kept);
     }
 
     /// Changes the accelerations, and what follows of them.

@@ -98,7 +98,7 @@ ANCF_INLINE double KktSystem::refine(const VectorX& b, VectorX& x) const {
         error = now;
         if (slow || error < 4.0 * epsilon) break;
         ldlt_.solve(residual);
-        next = x + residual;
+        for (Eigen::Index i = 0; i < x.size(); ++i) next[i] = x[i] + residual[i];
     }
     return error;
 }

@@ -161,11 +161,17 @@ private:
         const double later = s * s * (3.0 - 2.0 * s);
         const double slope = 6.0 * s * (1.0 - s) / h;
         const double bulge = h * s * (1.0 - s);
-        return {time,
-                (1.0 - later) * from.q + later * to.q + bulge * ((1.0 - s) * from.v - s * to.v),
-                slope * (to.q - from.q) + (1.0 - s) * (1.0 - 3.0 * s) * from.v +
-                    s * (3.0 * s - 2.0) * to.v,
-                (1.0 - s) * from.lambda + s * to.lambda};
+        MotionPoint at = from;
+        at.time = time;
+        for (Eigen::Index k = 0; k < at.q.size(); ++k) {
+            at.q[k] = (1.0 - later) * from.q[k] + later * to.q[k] +
+                      bulge * ((1.0 - s) * from.v[k] - s * to.v[k]);
+            at.v[k] = slope * (to.q[k] - from.q[k]) + (1.0 - s) * (1.0 - 3.0 * s) * from.v[k] +
+                      s * (3.0 * s - 2.0) * to.v[k];
+        }
+        for (Eigen::Index k = 0; k < at.lambda.size(); ++k)
+            at.lambda[k] = (1.0 - s) * from.lambda[k] + s * to.lambda[k];
+        return at;
     }
 
     DynamicProblem& problem_;

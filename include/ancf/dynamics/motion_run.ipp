@@ -51,7 +51,6 @@ ANCF_INLINE void require_resolved(double step, double start, double end) {
 ANCF_INLINE VectorX signature(DynamicProblem& problem, const MotionPoint& point) {
     (void)problem.evaluate(point.time, point.q, point.v, point.lambda, Request::tangent);
     const Energies at = problem.energies();
-    const VectorX sizes = problem.scales() / problem.length_scale();
     VectorX loads, inner;
     problem.numbering().gather_free(problem.assembly().external_force(), loads);
     problem.numbering().gather_free(problem.assembly().internal_force(), inner);
@@ -60,12 +59,19 @@ ANCF_INLINE VectorX signature(DynamicProblem& problem, const MotionPoint& point)
     values[1] = at.strain;
     values[2] = at.potential;
     values[3] = at.load_power;
-    values[4] = problem.sum_of_parts(loads.lpNorm<1>());
+    const auto sized_sum = [&](const VectorX& x) {
+        VectorX sized = x;
+        for (Eigen::Index k = 0; k < x.size(); ++k)
+            sized[k] *= problem.scales()[k] / problem.length_scale();
+        return weighted_sum(sized);
+    };
+    double sum_of_loads = 0.0;
+    for (Eigen::Index k = 0; k < loads.size(); ++k) sum_of_loads += std::abs(loads[k]);
+    values[4] = problem.sum_of_parts(sum_of_loads);
     values[5] = problem.sum_of_parts(trace_of_magnitudes(problem.mass(), problem.size()));
     values[6] = problem.sum_of_parts(trace_of_magnitudes(problem.tangent(), problem.size()));
-    values[7] = problem.sum_of_parts(weighted_sum(problem.force().cwiseProduct(sizes)));
-    values[8] = problem.sum_of_parts(weighted_sum(loads.cwiseProduct(sizes)) +
-                                     weighted_sum(inner.cwiseProduct(sizes)));
+    values[7] = problem.sum_of_parts(sized_sum(problem.force()));
+    values[8] = problem.sum_of_parts(sized_sum(loads) + sized_sum(inner));
     values[9] = 0.0;
     if (problem.multipliers() == 0) return values;
     problem.evaluate_constraints(point.time, point.q, point.v);
@@ -223,8 +229,10 @@ ANCF_INLINE void Recorder::check_gain(const MotionPoint& point, double width,
     most_held_ = std::max(most_held_, held);
     if (report_.steps > 0) {
         const double driven = 0.5 * width * (before_.constraint_power + energies.constraint_power);
-        const double work =
-            0.5 * problem_.sum_of_parts(problem_.own_dot(force_before_ + force, q - q_before_));
+        VectorX sum = force, moved = q;
+        sum += force_before_;
+        moved -= q_before_;
+        const double work = 0.5 * problem_.sum_of_parts(problem_.own_dot(sum, moved));
         worked_ += std::abs(driven);
         if (!problem_.model().loads().empty()) worked_ += std::abs(work);  // gravity does not jump
         gain_ += held - before_.kinetic - before_.strain - driven - work;

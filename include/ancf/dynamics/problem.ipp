@@ -353,8 +353,12 @@ ANCF_INLINE Status DynamicProblem::jerk(const Start& at, double step, VectorX& j
         values[place].resize(b.size());
         for (int i = 0; i < size(); ++i) values[place][i] = force_[i];
         if (multipliers() == 0) continue;
-        evaluate_constraints(t, at.q + later * at.v + 0.5 * later * later * at.acceleration,
-                             at.v + later * at.acceleration);
+        VectorX q = at.q, v = at.v;
+        for (int i = 0; i < size(); ++i) {
+            q[i] = at.q[i] + later * at.v[i] + 0.5 * later * later * at.acceleration[i];
+            v[i] += later * at.acceleration[i];
+        }
+        evaluate_constraints(t, q, v);
         whole = full_a_;  // of driven coordinates at that time
         numbering().set_free(at.acceleration, whole);
         numbering().dependence().complete(whole);
@@ -393,7 +397,9 @@ ANCF_INLINE std::optional<Fault> DynamicProblem::force_curvature(const Start& at
     };
     add_forces(-2.0);
     for (const double later : {distance, -distance}) {
-        const VectorX q = full_q_ + later * full_v_ + 0.5 * later * later * full_a_;
+        VectorX q = full_q_;
+        for (Eigen::Index k = 0; k < q.size(); ++k)
+            q[k] = q[k] + later * full_v_[k] + 0.5 * later * later * full_a_[k];
         if (auto fault = assembly_.evaluate({q, full_v_, lambda_, {at.time, 1.0}}, Request::force))
             return fault;
         add_forces(1.0);
@@ -545,7 +551,7 @@ ANCF_INLINE bool DynamicProblem::project_rates(double t, const VectorX& q, Vecto
     for (int pass = 0; pass < passes; ++pass) {
         evaluate_constraints(t, q, v, false);
         if (factorize_kkt() != Status::converged) return false;
-        b.tail(multipliers()) = -constraints_.rate();
+        for (int i = 0; i < multipliers(); ++i) b[size() + i] = -constraints_.rate()[i];
         if (solve_kkt(b, x) != Status::converged) return false;
         v += x.head(size());
     }
@@ -583,7 +589,8 @@ ANCF_INLINE void DynamicProblem::minimize_multipliers(VectorX& multipliers) {
     constraints_.write_jacobian(kkt_matrix_);  // of all equations, for their rows alone
     constraints_.leave_out(left_out_);
     // multipliers of all units compare by the work that changes by the coordinates' scales take
-    const VectorX weights = constraints_.magnitude(full_scales_).cwiseAbs2();
+    VectorX weights = constraints_.magnitude(full_scales_);
+    for (Eigen::Index i = 0; i < weights.size(); ++i) weights[i] *= weights[i];
     const auto product = [&](const VectorX& a, const VectorX& b) {
         double sum = 0.0;
         for (Eigen::Index i = 0; i < a.size(); ++i) sum += weights[i] * a[i] * b[i];

@@ -102,7 +102,9 @@ public:
         constexpr double enough = 1e-4;
         const VectorX arms = problem.assembly().violation_scale(problem.length_scale());
         const auto size = [&](const VectorX& x) {
-            return std::sqrt(problem.sum_of_parts(arms.cwiseProduct(x).squaredNorm()));
+            double sum = 0.0;
+            for (Eigen::Index k = 0; k < x.size(); ++k) sum += arms[k] * x[k] * (arms[k] * x[k]);
+            return std::sqrt(problem.sum_of_parts(sum));
         };
         const double last = size(change);
         const double shrinks = std::min(last / before, 0.99);

@@ -73,9 +73,12 @@ struct DenseLu {
 
     /// Returns the inverse of the matrix that was factorised.
     [[nodiscard]] Matrix inverse() const {
-        Matrix result;
-        result.setIdentity(factors.rows(), factors.rows());
-        for (int j = 0; j < factors.rows(); ++j) solve(result.col(j).data());
+        const Eigen::Index rows = factors.rows();
+        Matrix result(rows, rows);
+        for (Eigen::Index j = 0; j < rows; ++j) {
+            for (Eigen::Index i = 0; i < rows; ++i) result(i, j) = i == j ? 1.0 : 0.0;
+            solve(&result(0, j));
+        }
         return result;
     }
 };

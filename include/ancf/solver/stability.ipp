@@ -251,13 +251,20 @@ ANCF_INLINE bool moves_freely(const Assembly& assembly, const LinearSolver& solv
 /// from the matrix to the identity.
 [[nodiscard]] ANCF_INLINE bool all_to_the_right(DenseLu<double>::Matrix matrix) {
     constexpr int sweeps = 40;  // a spread of 2^20 takes twenty and a few
-    matrix /= matrix.cwiseAbs().maxCoeff();
+    const Eigen::Index size = matrix.rows();
+    double largest = 0.0, trace = 0.0;
+    for (Eigen::Index k = 0; k < size * size; ++k)
+        largest = std::max(largest, std::abs(matrix.data()[k]));
+    for (Eigen::Index k = 0; k < size * size; ++k) matrix.data()[k] /= largest;
     for (int sweep = 0; sweep < sweeps; ++sweep) {
         DenseLu<double> lu{matrix, {}};
         if (!lu.factorize()) return false;
-        matrix = 0.5 * (matrix + lu.inverse());
+        const DenseLu<double>::Matrix inverse = lu.inverse();
+        for (Eigen::Index k = 0; k < size * size; ++k)
+            matrix.data()[k] = 0.5 * (matrix.data()[k] + inverse.data()[k]);
     }
-    return std::abs(matrix.trace() - static_cast<double>(matrix.rows())) < 0.5;
+    for (Eigen::Index k = 0; k < size; ++k) trace += matrix(k, k);
+    return std::abs(trace - static_cast<double>(size)) < 0.5;
 }
 
 /// Inverse iteration with six vectors, and the projection of K^-1 D on what they span. The slowest
@@ -292,11 +299,12 @@ ANCF_INLINE bool softest_decay(const Assembly& assembly, const LinearSolver& sol
             }
             solve_with(solver, load, y[i]);
         }
-    DenseLu<double>::Matrix projected(count, count);
-    for (int i = 0; i < count; ++i)
-        for (int j = 0; j < count; ++j) projected(i, j) = product(x[i], y[j]);
-    for (int first = std::min(least, count); first <= count; ++first)
-        if (all_to_the_right(projected.topLeftCorner(first, first))) return true;
+    for (int size = std::min(least, count); size <= count; ++size) {
+        DenseLu<double>::Matrix projected(size, size);
+        for (int i = 0; i < size; ++i)
+            for (int j = 0; j < size; ++j) projected(i, j) = product(x[i], y[j]);
+        if (all_to_the_right(std::move(projected))) return true;
+    }
     return false;
 }
 

@@ -424,7 +424,8 @@ private:
         VectorX diagonal = VectorX::Zero(free);
         for (int k = 0; k < free; ++k) diagonal[k] = values[at[k]];
         // what has no stiffness of its own is as viscous as the stiffest of its unit
-        VectorX viscosity = diagonal.cwiseAbs();
+        VectorX viscosity = diagonal;
+        for (double& one : viscosity) one = std::abs(one);
         const VectorX stiffest = stiffest_of_unit(assembly_, diagonal);
         const VectorX lever =
             length_powers(monitor_.size(), model_.layout(), assembly_.numbering());
@@ -691,10 +692,11 @@ private:
             std::string found = singular_cause(model_, numbering, assembly_.tangent(), solver_);
             if (!found.empty()) report_.message = std::move(found);
         }
-        VectorX outer =
-            assembly_.external_force() - assembly_.constraint_force() + report_.reactions;
-        for (Eigen::Index k = 0; exchange_ != nullptr && k < outer.size(); ++k)
-            if (!exchange_->owns(static_cast<int>(k))) outer[k] = 0.0;
+        VectorX outer = assembly_.external_force();
+        for (Eigen::Index k = 0; k < outer.size(); ++k) {
+            outer[k] = outer[k] - assembly_.constraint_force()[k] + report_.reactions[k];
+            if (exchange_ != nullptr && !exchange_->owns(static_cast<int>(k))) outer[k] = 0.0;
+        }
         report_.imbalance = resultant(model_, state.q, outer);
         if (exchange_ == nullptr) return;
         exchange_->sum(report_.imbalance.force.data(), 3);
