@@ -4,8 +4,8 @@
 /// @file
 /// Arrays that grow, cheap to compile; a user takes one for a std::vector, or copies it into one.
 ///
-/// A std::vector of one more type costs a unit some seventy functions, a List of one more type a
-/// handful: the memory of all of them is the work of one class that is no template.
+/// A std::vector of one more type costs a unit some seventy functions, a List fewer than twenty:
+/// the memory of all of them is the work of one class that is no template.
 
 #pragma once
 
@@ -30,7 +30,7 @@ protected:
     ListStorage& operator=(const ListStorage&) = delete;
     ~ListStorage() = default;
 
-    /// Returns memory for `capacity` items.
+    /// Returns memory for `capacity` items of so many bytes.
     [[nodiscard]] static void* allocate(std::size_t capacity, std::size_t item,
                                         std::size_t alignment);
     static void release(void* data, std::size_t alignment) noexcept;
@@ -38,7 +38,7 @@ protected:
     [[nodiscard]] std::size_t grown(std::size_t count) const noexcept {
         return count > 2 * capacity_ ? count : 2 * capacity_;
     }
-    /// Makes room for `count` items that memory alone makes up.
+    /// Makes room for `count` items, which a copy of their memory moves; sizes in bytes.
     void make_room(std::size_t count, std::size_t item, std::size_t alignment);
     /// Makes these items those of another list.
     void copy(const ListStorage& other, std::size_t item, std::size_t alignment);
@@ -58,7 +58,7 @@ protected:
 
 }  // namespace detail
 
-/// An array that grows: those members of std::vector that the library uses, by the same names.
+/// An array that grows, with the members of std::vector that programs use, by the same names.
 ///
 /// Pointers are its iterators. A std::vector becomes a List, and a List a std::vector, by a copy.
 template <class T>
