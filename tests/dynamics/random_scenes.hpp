@@ -218,7 +218,11 @@ private:
         Amplitude amplitude;
         if (pick(2) == 0) amplitude = [=](double t) { return std::sin(rate * t); };
         if constexpr (dimension == 2) {
-            if (load < 3) model.add(PlanarSlopeMoment(tip, Field::r_x, moment), amplitude);
+            if (load < 2) model.add(PlanarSlopeMoment(tip, Field::r_x, moment), amplitude);
+            if (load == 2) {
+                const Vector<double, 2> along = random.template direction<2>();
+                model.add(PlanarFollowerForce(tip, moment / length * along), amplitude);
+            }
             if (Frame && load == 3)
                 model.add(PlanarSlopeMoment(tip, Field::r_y, moment), amplitude);
         } else {

@@ -112,6 +112,24 @@ TEST_CASE("FollowerForce: force of the theory, stiffness equals its complex-step
     CHECK((out.force.head<3>() - ancf::test::follower_force(force, slopes)).norm() <= tolerance);
 }
 
+TEST_CASE("PlanarFollowerForce: it turns with the tangent, and its stiffness is the derivative",
+          "[load]") {
+    const auto seed = GENERATE(range(0U, 20U));
+    INFO("seed " << seed);
+    ancf::test::Random random(seed);
+    const ancf::Vector<double, 2> given = random.vector<2>();
+    const ancf::Vector<double, 4> q = random.vector<4>();
+    const auto force = [&](const auto& z) {  // on r alone, along r_x and along r_x turned
+        using S = typename std::decay_t<decltype(z)>::Scalar;
+        const S length = sqrt(z[2] * z[2] + z[3] * z[3]);
+        ancf::Vector<S, 4> out = ancf::Vector<S, 4>::Zero();
+        out[0] = (z[2] * given[0] - z[3] * given[1]) / length;
+        out[1] = (z[3] * given[0] + z[2] * given[1]) / length;
+        return out;
+    };
+    check_load(ancf::PlanarFollowerForce(NodeId{0}, given), force, q);
+}
+
 TEST_CASE("Moment: the generalised force has the moment as its resultant", "[load]") {
     const auto seed = GENERATE(range(0U, 50U));
     INFO("seed " << seed);

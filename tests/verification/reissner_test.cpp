@@ -86,6 +86,58 @@ TEST_CASE("Reissner: an end moment bends to an exact semicircle", "[verification
     CHECK(std::log2(coarse / fine) >= 3.5);
 }
 
+/// Returns the tip of a beam of length 1 under a force that stays across the tangent of its tip, in
+/// the frame of its root: in the tip's frame the force is constant, so one integration from there
+/// to the root is all.
+/// @param axial,shear,bending  EA, k GA and EI.
+Point follower_tip(double force, double axial, double shear, double bending) {
+    double lag = 0.0;  // of the tangent behind the section's normal, at the tip
+    for (int k = 0; k < 50; ++k)
+        lag = std::atan(force * std::cos(lag) / shear / (1.0 - force * std::sin(lag) / axial));
+    const Point pull(-force * std::sin(lag), force * std::cos(lag));  // in the tip's section
+    using Line = ancf::Vector<double, 4>;  // place, angle and curvature, by the distance to the tip
+    const auto rate = [&](const Line& at) {
+        const double c = std::cos(at[2]), s = std::sin(at[2]);
+        const double normal = c * pull[0] + s * pull[1], across = c * pull[1] - s * pull[0];
+        const double stretch = 1.0 + normal / axial, slide = across / shear;
+        return Line(-stretch * c + slide * s, -stretch * s - slide * c, -at[3],
+                    (stretch * across - slide * normal) / bending);
+    };
+    Line at = Line::Zero();
+    constexpr int steps = 2000;
+    for (int k = 0; k < steps; ++k) {
+        const Line first = rate(at) / steps, second = rate(at + first / 2.0) / steps;
+        const Line third = rate(at + second / 2.0) / steps, fourth = rate(at + third) / steps;
+        at += (first + 2.0 * second + 2.0 * third + fourth) / 6.0;
+    }
+    const double c = std::cos(at[2]), s = std::sin(at[2]);
+    return {-c * at[0] - s * at[1], s * at[0] - c * at[1]};
+}
+
+TEST_CASE("Reissner: a force that stays across the beam rolls it up", "[verification]") {
+    constexpr double depth = 0.02, force = 20.0;  // at E I = 1, k G A = 2.5e3, E A = 3e4
+    const double area = depth * depth, young = 12.0 / (area * area), shear = young / 2.4;
+    const auto error = [&](int elements) {
+        Scene scene;
+        const auto beam =
+            ancf::straight_beam<Beam>(scene, ancf::Material::from_moduli(young, shear, 1.0),
+                                      ancf::rectangle(depth, depth).with_shear_correction(1.0, 1.0),
+                                      {0, 0}, {1, 0}, elements, mixed());
+        scene.clamp(beam.first(), ancf::Clamp::free_slope);
+        scene.add(ancf::PlanarFollowerForce(beam.last(), {0.0, force}));
+        ancf::EigenLu solver;
+        ancf::StaticsOptions options;
+        options.steps = 4;
+        REQUIRE(ancf::solve_statics(scene, solver, options).status == Status::converged);
+        return (scene.position(beam.last()) - follower_tip(force, young * area, shear * area, 1.0))
+            .norm();
+    };
+    const double coarse = error(10), fine = error(20);
+    CAPTURE(coarse, fine);
+    CHECK(fine <= 1e-4);
+    CHECK(std::log2(coarse / fine) >= 3.5);
+}
+
 TEST_CASE("Reissner: Lee's frame snaps at the limit loads of the theory", "[verification]") {
     // two legs of 120, hinged at their ends, loaded on the beam at 24 from the corner; 20 elements
     Scene scene;

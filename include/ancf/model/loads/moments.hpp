@@ -168,6 +168,28 @@ private:
     Vector<double, 3> force_;
 };
 
+/// The force of FollowerForce in the plane, N: its components along r_x and along r_x turned by a
+/// right angle, counterclockwise.
+class PlanarFollowerForce {
+public:
+    static constexpr int dimension = 2;  ///< of the model it belongs to
+
+    /// @throws InvalidArgument unless the force is finite.
+    PlanarFollowerForce(NodeId node, const VectorArgument<2>& force) : node_(node), force_(force) {
+        detail::require_finite("PlanarFollowerForce: components", detail::components(force));
+    }
+
+    /// Returns the nodal vectors it acts on.
+    [[nodiscard]] Coupling coupling() const { return {{node_, Field::r}, {node_, Field::r_x}}; }
+
+    /// Evaluates it where it stands.
+    void evaluate(const LoadState& state, LoadResult& out) const;
+
+private:
+    NodeId node_;
+    Vector<double, 2> force_;
+};
+
 }  // namespace ancf
 
 #if !defined(ANCF_COMPILED)

@@ -107,4 +107,17 @@ ANCF_INLINE void FollowerForce::evaluate(const LoadState& state, LoadResult& out
     }
 }
 
+ANCF_INLINE void PlanarFollowerForce::evaluate(const LoadState& state, LoadResult& out) const {
+    const double x = state.q[2];
+    const double y = state.q[3];
+    const double square = x * x + y * y, length = std::sqrt(square);
+    out.force[0] = (force_[0] * x - force_[1] * y) / length;
+    out.force[1] = (force_[0] * y + force_[1] * x) / length;
+    for (int j = 0; j < 2; ++j) {  // df = (-f_y, f_x) (r_x x dr_x)/|r_x|^2
+        const double turn = (j == 0 ? -y : x) / square;
+        out.stiffness(0, 2 + j) = -turn * out.force[1];
+        out.stiffness(1, 2 + j) = turn * out.force[0];
+    }
+}
+
 }  // namespace ancf
