@@ -63,9 +63,9 @@ protected:
 /// Pointers are its iterators. A std::vector becomes a List, and a List a std::vector, by a copy.
 template <class T>
 class List : private detail::ListStorage {
-    // Chooses iterators that are no pointers to items.
+    // Chooses iterators that are no pointers to items; pointers to a derived class are none.
     template <class Iterator>
-    using Other = std::enable_if_t<!std::is_convertible_v<Iterator, const T*>,
+    using Other = std::enable_if_t<!std::is_same_v<const std::remove_pointer_t<Iterator>, const T>,
                                    typename std::iterator_traits<Iterator>::iterator_category*>;
 
 public:

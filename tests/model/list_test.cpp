@@ -115,6 +115,24 @@ TEST_CASE("other iterators, single items and rows of them do as with std::vector
     CHECK(texts == List<std::string>{"a", "b"});
 }
 
+TEST_CASE("items of a derived class are taken one by one") {
+    struct Base {
+        int value;
+    };
+    struct Derived : Base {
+        double more;
+    };
+    const List<Derived> derived = {{{1}, 0.1}, {{2}, 0.2}, {{3}, 0.3}};
+    List<Base> items(derived.begin(), derived.end());
+    items.insert(items.begin() + 1, derived.begin(), derived.end());
+    List<Base> assigned;
+    assigned.assign(derived.begin(), derived.end());
+    items.insert(items.end(), assigned.begin(), assigned.end());
+    std::vector<int> values;
+    for (const Base& item : items) values.push_back(item.value);
+    CHECK(values == std::vector<int>{1, 1, 2, 3, 2, 3, 1, 2, 3});
+}
+
 TEST_CASE("a list that was moved from is empty") {
     List<std::string> from = {"a", "b"}, to = {"c"};
     to = std::move(from);
