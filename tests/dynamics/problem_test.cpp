@@ -458,6 +458,21 @@ TEST_CASE("problem: a driven support acts as the same motion held by a multiplie
                       ContainsSubstring("needs its rate and acceleration"));
 }
 
+TEST_CASE("problem: reactions are those of the state, wherever its supports stand", "[dynamics]") {
+    Chain scene = chain(2, {0.0, 0.0, 0.0}, {1.0, 0.0, 0.0});
+    scene.model.pin(scene.first());
+    scene.model.pin(scene.last());
+    ancf::DynamicProblem problem(scene.model);
+    const double stretch = 1.2;
+    scene.model.set_value(scene.nodes[1], Field::r, {0.5 * stretch, 0.0, 0.0});
+    scene.model.set_value(scene.last(), Field::r, {stretch, 0.0, 0.0});
+    VectorX forces;
+    REQUIRE(problem.reactions(scene.model.state(), forces) == Status::converged);
+    const double pull = 500.0 * 0.5 * (stretch * stretch - 1.0) * stretch;  // of Green's strain
+    CHECK(forces[scene.model.coordinate(scene.first(), Field::r)] == Approx(-pull).epsilon(1e-14));
+    CHECK(forces[scene.model.coordinate(scene.last(), Field::r)] == Approx(pull).epsilon(1e-14));
+}
+
 TEST_CASE("problem: frequencies of a bar row are those of its closed form", "[dynamics]") {
     const int bars = 8;
     const double stiffness = 500.0, line_density = 2.0, length = 0.25;

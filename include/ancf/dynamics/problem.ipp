@@ -637,6 +637,7 @@ ANCF_INLINE Status DynamicProblem::reactions(const State& state, VectorX& forces
                     "DynamicProblem::reactions: expected ", all, " coordinates and rates, got ",
                     state.q.size(), " and ", state.v.size());
     forces.setZero(all);
+    full_q_ = state.q;  // supports hold where it has them
     VectorX q, v, acceleration, lambda;
     numbering().gather_free(state.q, q);
     numbering().gather_free(state.v, v);
