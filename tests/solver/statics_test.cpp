@@ -619,6 +619,24 @@ TEST_CASE("statics: what a load alone can hold is found where the load holds it"
         CHECK(model.position(rod.last())[1] == Approx(-1.0).epsilon(1e-6));
         CHECK(report.reactions[1] == Approx(7800.0 * 4e-4 * 9.81));
     }
+    SECTION("a pendulum that hangs from the start is told beside a beam that supports hold") {
+        ancf::PlanarModel model;
+        const auto rod = ancf::straight_beam<Rod>(model, steel, section, {0, 0}, {0, -1}, 4);
+        const auto beam = ancf::straight_beam<Rod>(model, steel, section, {1, 0}, {2, 0}, 4);
+        model.pin(rod.first());
+        model.pin(beam.first());
+        model.fix(beam.last(), Field::r, 1);
+        model.set_gravity({0.0, -9.81});
+        const auto report = solve_statics(model, solver);
+        INFO(report.message);
+        REQUIRE(report.status == Status::converged);
+        CHECK(report.stability == ancf::Stability::stable);
+        CHECK(report.held_by_loads);
+        model.fix(rod.last(), Field::r, 0);
+        const auto held = solve_statics(model, solver);
+        REQUIRE(held.status == Status::converged);
+        CHECK_FALSE(held.held_by_loads);
+    }
     SECTION("a double pendulum hangs") {
         ancf::PlanarModel model;
         const auto upper = ancf::straight_beam<Rod>(model, steel, section, {0, 0}, {1, 0}, 4);

@@ -5,7 +5,10 @@
 /// What turning makes of the tangent, against differences of turned coordinates.
 
 #include <ancf/assembly/assembly.hpp>
+#include <ancf/element/cable/cable.hpp>
+#include <ancf/element/continuum/beam.hpp>
 #include <ancf/element/cross_section/beam.hpp>
+#include <ancf/element/planar/beam.hpp>
 #include <ancf/element/torsion/beam.hpp>
 #include <ancf/model/builders/beam.hpp>
 #include <ancf/model/model.hpp>
@@ -25,20 +28,23 @@ using namespace ancf;
 /// A clamped beam of three elements, bent, twisted and strained at random.
 template <class Element>
 struct Bent {
-    Model model;
+    static constexpr int dimension = Element::dimension;
+    BasicModel<dimension> model;
     VectorX q;
 
     explicit Bent(test::Random& random) {
-        const auto beam =
-            straight_beam<Element>(model, Material::isotropic(2e7, 0.3, 1000.0),
-                                   rectangle(0.2, 0.1), {0, 0, 0}, {1.5, 0.6, -0.3}, 3);
+        const Vector<double, 3> end(1.5, 0.6, -0.3);
+        const auto beam = straight_beam<Element>(
+            model, Material::isotropic(2e7, 0.3, 1000.0), rectangle(0.2, 0.2),
+            Vector<double, dimension>::Zero(), end.template head<dimension>(), 3);
         model.clamp(beam.first());
         q = model.state().q + 0.1 * random.vector(static_cast<int>(model.state().q.size()));
     }
 };
 
 TEMPLATE_TEST_CASE("Turning: its curvature is the second derivative of the turned coordinates",
-                   "[solver][turning]", CrossSectionBeam<3>, TorsionBeam) {
+                   "[solver][turning]", CrossSectionBeam<3>, TorsionBeam, CrossSectionBeam<2>,
+                   ContinuumBeam<2>, Cable<2>, Cable<3>) {
     const bool chords = GENERATE(true, false);
     const Storage storage = GENERATE(Storage::full, Storage::lower);
     double worst = 0.0, largest = 0.0;
@@ -52,7 +58,7 @@ TEMPLATE_TEST_CASE("Turning: its curvature is the second derivative of the turne
         VectorX residual = random.vector(size), x = random.vector(size);
         if (!chords)  // positions follow chords: without these slopes alone are curved
             for (int node = 0; node < scene.model.nodes(); ++node)
-                for (int k = 0; k < 3; ++k)
+                for (int k = 0; k < TestType::dimension; ++k)
                     if (const int equation =
                             numbering.equation(scene.model.coordinate({node}, Field::r) + k);
                         equation >= 0)

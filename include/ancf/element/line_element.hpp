@@ -21,7 +21,6 @@
 #include <ancf/types.hpp>
 
 #include <cmath>
-#include <utility>
 
 namespace ancf::detail {
 
@@ -114,9 +113,6 @@ class LineElement {
     /// Vectors of a node, r_xx and r_xy not counted.
     static constexpr int fields =
         dofs / (2 * dimension) - (Line::fields - CubicLine::fields) - (Rates ? 1 : 0);
-    template <class S>
-    using Mixed = decltype(std::declval<const Kernel&>().evaluate(
-        Vector<S, dofs>(), Vector<S, dofs>(), Vector<S, dofs>()));
 
 public:
     /// Nodal coordinates e, those of the first node first.
@@ -154,10 +150,10 @@ public:
     /// docs/theory-statics.md, "Stresses as unknowns".
     /// @param before  where the last tangent was taken, dofs x 1
     /// @param change  the correction that it gave, dofs x 1
-    /// @return MixedEvaluation, or Evaluation of a kernel that does not predict forces
     template <class S>
-    [[nodiscard]] Mixed<S> evaluate(const Vector<S, dofs>& e, const Vector<S, dofs>& before,
-                                    const Vector<S, dofs>& change) const noexcept {
+    [[nodiscard]] MixedEvaluation<S, dofs> evaluate(const Vector<S, dofs>& e,
+                                                    const Vector<S, dofs>& before,
+                                                    const Vector<S, dofs>& change) const noexcept {
         return kernel_.evaluate(e, before, change);
     }
 

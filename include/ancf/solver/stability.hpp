@@ -95,6 +95,10 @@ struct NegativeDirections {
 /// @param solver  has the tangent factorised
 [[nodiscard]] bool moves_freely(const Assembly& assembly, const LinearSolver& solver);
 
+/// Tells whether supports alone keep every part of a scene in the plane, joined by its elements,
+/// from moving rigidly.
+[[nodiscard]] bool supports_hold(const Assembly& assembly);
+
 /// Tells whether the softest motions of D dx/dt = -K x decay, D the diagonal of the tangent K: what
 /// pivots of the symmetric part do not say under loads without a potential.
 /// @param solver  has the tangent factorised, or one near it

@@ -5,6 +5,8 @@
 
 #include <ancf/algebra.hpp>
 #include <ancf/assembly/assembly.hpp>
+#include <ancf/element/fields.hpp>
+#include <ancf/element/vec3.hpp>
 #include <ancf/list.hpp>
 #include <ancf/model/scene.hpp>
 #include <ancf/solver/convergence.hpp>
@@ -15,6 +17,7 @@
 #include <ancf/types.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -245,6 +248,45 @@ ANCF_INLINE bool moves_freely(const Assembly& assembly, const LinearSolver& solv
     double energy = 0.0;
     for (Eigen::Index k = 0; k < x.size(); ++k) energy += x[k] * force[k];
     return std::abs(energy) <= round_off;
+}
+
+/// Sums r r^T of each part, r what a rigid motion makes of a held coordinate: its three parameters
+/// are two displacements, over the scene's size, and an angle.
+ANCF_INLINE bool supports_hold(const Assembly& assembly) {
+    constexpr double least = 1e-9;  // of the determinant of the sum: 1 and more of a clamp
+    const Scene& model = assembly.model();
+    const Layout& layout = model.layout();
+    if (!model.attachments().empty() || layout.nodes() == 0) return false;
+    List<int> above(static_cast<std::size_t>(layout.nodes()));  // a node of the same part, at last
+    for (int node = 0; node < layout.nodes(); ++node) above[node] = node;
+    const auto part = [&](int node) {
+        while (above[node] != node) node = above[node] = above[above[node]];
+        return node;
+    };
+    for (const auto& group : model.groups())
+        for (const Connection& c : group->connections)
+            above[part(c.first.index)] = part(c.second.index);
+
+    const VectorX& q = model.state().q;
+    const double size = ConvergenceMonitor(model, assembly.numbering()).size();
+    List<std::array<Vec3<double>, 3>> sums(above.size());
+    for (const int k : assembly.numbering().held()) {
+        const Field field = layout.field_of(k);
+        const int node = layout.node_of(k), axis = (k - layout.first(node)) % 2;
+        const int other = axis == 0 ? k + 1 : k - 1;
+        const bool is_position = field == Field::r;
+        if (!is_position && field != Field::r_x && field != Field::r_y) continue;
+        Vec3<double> r = {};
+        if (is_position) r[axis] = 1.0;
+        const double arm = is_position ? (q[other] - q[1 - axis]) / size : q[other];
+        r[2] = axis == 0 ? -arm : arm;
+        for (int row = 0; row < 3; ++row) add(sums[part(node)][row], r[row], r);
+    }
+    for (int node = 0; node < layout.nodes(); ++node) {
+        const auto& sum = sums[part(node)];
+        if (!(dot(sum[0], cross(sum[1], sum[2])) > least)) return false;
+    }
+    return true;
 }
 
 /// Whether all eigenvalues of a small matrix have positive real parts: S = (S + S^-1)/2 then goes

@@ -350,7 +350,7 @@ private:
             if (step.iterations == 0 && repeats()) return Status::singular;
             assembly_.residual(residual_);
             if (step.newton == NewtonKind::automatic &&
-                (step.corrections.empty() || correction > small_turn))
+                (step.corrections.empty() ? may_turn_first() : correction > small_turn))
                 add_curvature(!step.corrections.empty() || follows());
             const Status solved = step.damped ? correct_damped(step) : correct(step);
             if (solved != Status::converged) return solved;
@@ -469,6 +469,13 @@ private:
     /// load would turn the first correction round.
     [[nodiscard]] bool follows() const {
         return report_.factor != options_.first_factor && successes_ >= none_failed;
+    }
+
+    /// Whether the first tangent of a step may have what turning makes of it. In the plane it would
+    /// hide from the first factorisation of a run that only loads hold the scene.
+    [[nodiscard]] bool may_turn_first() {
+        if (!turns_first_) turns_first_ = model_.dimension() == 3 || supports_hold(assembly_);
+        return *turns_first_ || report_.factor != options_.first_factor;
     }
 
     /// Adds to the tangent what turning makes of it.
@@ -737,6 +744,7 @@ private:
     Instant instant_;
     StaticsReport report_;
     std::optional<bool> repeats_;       // see repeats()
+    std::optional<bool> turns_first_;   // see may_turn_first(): where the run begins
     std::optional<Stability> reached_;  // at the end of the last attempt, where it was judged
     VectorX residual_, correction_;
     Correction last_;        // of the attempt that runs

@@ -45,8 +45,8 @@ public:
     void turn(const VectorX& before, const VectorX& change, VectorX& q, TurnBy by = TurnBy::angle);
 
     /// Adds what turning instead of adding makes of the tangent: residual . d2q/dx2, where q
-    /// depends on the correction x as turn() has it; docs/theory-statics.md, "The tangent of a
-    /// turn". In space alone, and without r_xx.
+    /// depends on the correction x as turn() has it, r_xx and r_xy left out;
+    /// docs/theory-statics.md, "The tangent of a turn".
     /// @param q         coordinates where the tangent was taken
     /// @param residual  there, of the unknowns, of the stresses that the tangent has
     /// @param pattern   of the tangent, all of it or its lower half
@@ -86,6 +86,8 @@ private:
                                                  const VectorX& x) const;
     [[nodiscard]] double twist(const std::array<int, 2>& chord, const VectorX& before,
                                const VectorX& change) const;
+    void add_curvature_of_slope(int first, const VectorX& q, const VectorX& residual,
+                                const SparseMatrix& pattern, double* values) const;
     void add_curvature_of_chord(const std::array<int, 2>& chord, const double* forces,
                                 const VectorX& q, const SparseMatrix& pattern,
                                 double* values) const;

@@ -70,11 +70,10 @@ using SlopeFrame = std::array<Vec3<double>, 3>;
     return std::abs(determinant) > 1e-12;
 }
 
-/// Moves a derivative by dG to the slopes of a node, in place: adds what the third column of dG
-/// has of the two others where a node has two slopes.
+/// Moves a derivative by dG to the two slopes of a node in space, in place: adds what the third
+/// column of dG has of the two others.
 /// @param stride  between the entries
-ANCF_INLINE void pull_back(const SlopeFrame& G, int count, int stride, double* derivative) {
-    if (count == 3) return;
+ANCF_INLINE void pull_back(const SlopeFrame& G, int stride, double* derivative) {
     const double* const third = derivative + 6 * stride;
     const Vec3<double> by = {{third[0], third[stride], third[2 * stride]}};
     const Vec3<double> first = cross(G[1], by), second = cross(by, G[0]);
@@ -94,7 +93,7 @@ ANCF_INLINE void pull_back(const SlopeFrame& G, int count, int stride, double* d
     SlopeFrame g;
     if (!invert(G, g)) return false;
     for (int k = 0; k < 3; ++k) std::copy_n((0.5 * cross(unit, g[k])).v, 3, derivative + 3 * k);
-    pull_back(G, count, 1, derivative);
+    if (count < 3) pull_back(G, 1, derivative);
     return true;
 }
 
@@ -168,6 +167,21 @@ ANCF_INLINE void turn_rate(const double* before, const double* change, const dou
     for (int a = 0; a < 9; ++a)
         for (int b = 0; b < 9; ++b) curvature[9 * a + b] = half(a, b) + half(b, a);
     return true;
+}
+
+/// Writes the second derivative of force . v by v, 3 x 3, v a vector that turns: with the unit
+/// vector u along v of length L, its change a along and b across it, v changes by
+/// (a b - b.b u/2)/L to second order.
+ANCF_INLINE void vector_curvature(const Vec3<double>& v, const Vec3<double>& force,
+                                  double* curvature) {
+    const double length = detail::length(v);
+    const Vec3<double> unit = v / length;
+    const double tension = dot(force, unit);
+    for (int k = 0; k < 3; ++k)
+        for (int m = 0; m < 3; ++m)
+            curvature[3 * k + m] = (unit[k] * force[m] + force[k] * unit[m] -
+                                    tension * ((k == m ? 1.0 : 0.0) + unit[k] * unit[m])) /
+                                   length;
 }
 
 /// Adds a block to the values of a matrix, where its pattern has entries.
@@ -245,23 +259,31 @@ ANCF_INLINE double Turning::largest_angle(const VectorX& before, const VectorX& 
 
 ANCF_INLINE void Turning::add_curvature(const VectorX& q, const VectorX& residual,
                                         const SparseMatrix& pattern, double* values, bool chords) {
-    if (dimension_ < 3) return;
     for (int node = 0; node < layout_.nodes(); ++node) {
         const Slopes at = slopes(node);
-        if (!at.whole) continue;
-        const detail::SlopeFrame G = detail::frame_of(q.data() + at.first, at.count, 3);
+        if (!at.whole) {
+            for (int slope = 0; slope < at.count; ++slope)
+                add_curvature_of_slope(at.first + slope * dimension_, q, residual, pattern, values);
+            continue;
+        }
+        const detail::SlopeFrame G = detail::frame_of(q.data() + at.first, at.count, dimension_);
         detail::SlopeFrame rho = {};
+        const int size = dimension_ * at.count;
         int equations[9];
-        double curvature[81];
-        for (int k = 0; k < 3 * at.count; ++k) {
+        double curvature[81], block[81];
+        for (int k = 0; k < size; ++k) {
             equations[k] = numbering_.equation(at.first + k);
-            rho[k / 3][k % 3] = residual[equations[k]];
+            rho[k / dimension_][k % dimension_] = residual[equations[k]];
         }
         if (!detail::frame_curvature(G, rho, curvature)) continue;
-        for (int k = 0; k < 9; ++k) detail::pull_back(G, at.count, 9, curvature + k);
-        for (int k = 0; k < 9; ++k) detail::pull_back(G, at.count, 1, curvature + 9 * k);
-        detail::add_block(curvature, 9, 1, equations, 3 * at.count, equations, 3 * at.count,
-                          pattern, values);
+        if (at.count < dimension_) {
+            for (int k = 0; k < 9; ++k) detail::pull_back(G, 9, curvature + k);
+            for (int k = 0; k < 9; ++k) detail::pull_back(G, 1, curvature + 9 * k);
+        }
+        const auto place = [&](int k) { return 3 * (k / dimension_) + k % dimension_; };
+        for (int i = 0; i < size; ++i)
+            for (int j = 0; j < size; ++j) block[9 * i + j] = curvature[9 * place(i) + place(j)];
+        detail::add_block(block, 9, 1, equations, size, equations, size, pattern, values);
     }
     if (!chords) return;
     factorize();
@@ -270,10 +292,32 @@ ANCF_INLINE void Turning::add_curvature(const VectorX& q, const VectorX& residua
         add_curvature_of_chord(chords_[c], &forces[3 * c], q, pattern, values);
 }
 
+/// Adds the second derivative of residual . slope of a slope that turns alone.
+/// @param first  its first coordinate
+ANCF_INLINE void Turning::add_curvature_of_slope(int first, const VectorX& q,
+                                                 const VectorX& residual,
+                                                 const SparseMatrix& pattern,
+                                                 double* values) const {
+    const detail::Vec3<double> slope = detail::vector_at(q.data() + first, dimension_);
+    if (!(length(slope) > 0.0)) return;
+    detail::Vec3<double> force = {};
+    int equations[3], axis[3], free = 0;
+    for (int k = 0; k < dimension_; ++k)
+        if (const int equation = numbering_.equation(first + k); equation >= 0) {
+            force[k] = residual[equation];
+            axis[free] = k;
+            equations[free++] = equation;
+        }
+    double whole[9], block[9];
+    detail::vector_curvature(slope, force, whole);
+    for (int i = 0; i < free; ++i)
+        for (int j = 0; j < free; ++j) block[3 * i + j] = whole[3 * axis[i] + axis[j]];
+    detail::add_block(block, 3, 1, equations, free, equations, free, pattern, values);
+}
+
 /// Adds the second derivative of force . chord by the positions and slopes of its two nodes. With
-/// the unit vector u along the chord of length L, its change a along and b across it, and the
-/// nodes' mean twist t, the chord changes by (a b - b.b u/2)/L + t u x b/2 to second order. By the
-/// difference of positions that is (u f^T + f u^T - (f.u) (I + u u^T))/L, f the force.
+/// the nodes' mean twist t, the chord of unit vector u that changes by b across it changes by
+/// t u x b/2 besides what vector_curvature() has.
 ANCF_INLINE void Turning::add_curvature_of_chord(const std::array<int, 2>& chord,
                                                  const double* forces, const VectorX& q,
                                                  const SparseMatrix& pattern,
@@ -283,26 +327,21 @@ ANCF_INLINE void Turning::add_curvature_of_chord(const std::array<int, 2>& chord
     if (!(length > 0.0)) return;
     const detail::Vec3<double> unit = line / length;
     const detail::Vec3<double> turn = cross(force, unit);  // force . (u x b) = turn . b
-    const double tension = dot(force, unit);
-
     double bend[9];
-    for (int k = 0; k < 3; ++k)
-        for (int m = 0; m < 3; ++m)
-            bend[3 * k + m] = (unit[k] * force[m] + force[k] * unit[m] -
-                               tension * ((k == m ? 1.0 : 0.0) + unit[k] * unit[m])) /
-                              length;
+    detail::vector_curvature(line, force, bend);
 
     int position[6], axis[6], positions = 0;
     double sign[6];
     int slope[18], slope_count = 0;
     double twist[18];
     for (const int node : chord) {
-        for (int k = 0; k < 3; ++k) {
+        for (int k = 0; k < dimension_; ++k) {
             position[positions] = numbering_.equation(layout_.first(node) + k);
             if (position[positions] < 0) continue;
             axis[positions] = k;
             sign[positions++] = node == chord[0] ? -1.0 : 1.0;
         }
+        if (dimension_ < 3) continue;
         const Slopes at = slopes(node);
         double spin[9];
         if (!at.whole || !detail::spin_about(unit, q.data() + at.first, at.count, spin)) continue;

@@ -103,14 +103,14 @@ struct PlanarKernel {
 
     /// As LineElement::evaluate() of a state and the correction that led to it.
     template <class S>
-    [[nodiscard]] Evaluation<S, dofs> evaluate(const Vector<S, dofs>& e,
-                                               const Vector<S, dofs>& before,
-                                               const Vector<S, dofs>& change) const noexcept {
+    [[nodiscard]] MixedEvaluation<S, dofs> evaluate(const Vector<S, dofs>& e,
+                                                    const Vector<S, dofs>& before,
+                                                    const Vector<S, dofs>& change) const noexcept {
         const Nodes<S> nodes(e);
         PlanarSums<S, Layout> sums;
         walk<false>(nodes, sums);
         Transverse<S> transverse;
-        Evaluation<S, dofs> result;
+        MixedEvaluation<S, dofs> result;
         result.energy = sums.energy + transverse_terms(nodes, transverse);
         result.force = gradient(nodes, sums, transverse);
 
@@ -136,6 +136,7 @@ struct PlanarKernel {
         for (int m = 0; m < Layout::shears; ++m) stress[m] = arrived(course_stress[m]);
         for (int node = 0; node < 2; ++node)
             transverse[node].stress = nodal_conjugate<Layout::rates>(stress, node);
+        result.predicted = gradient(nodes, predicted, transverse);
         write_tangent(nodes, predicted, transverse, result.tangent);
         return result;
     }
