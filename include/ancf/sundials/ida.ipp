@@ -380,7 +380,7 @@ private:
     [[nodiscard]] bool step() {
         if (options_.max_steps > 0 && report_.steps == options_.max_steps)
             return fail(IDA_TOO_MUCH_WORK);
-        const double stop = stop_time();
+        const double stop = even_stop(stop_time());
         call(IDASetStopTime(ida_.get(), stop));
         begin_step();
         resolve_multipliers(stop - now_.time);
@@ -442,6 +442,20 @@ private:
             stop = schedule_.end;
         }
         return jumps_.is_ahead(now_) ? std::min(stop, jumps_.next()) : stop;
+    }
+
+    // Returns where the next step is to end so that the last four before a stop are equal. Where
+    // steps do not resolve vibrations, multipliers are those of IDA. In index 3 order 2 takes them
+    // from the positions of five times: of a body that turns they are wrong unless these times are
+    // equally far apart.
+    [[nodiscard]] double even_stop(double stop) const {
+        if (begins_ || highest_frequency_ == 0.0 || problem_.multipliers() == 0 ||
+            options_.form != Form::index3)
+            return stop;
+        double length = 0.0;
+        IDAGetCurrentStep(ida_.get(), &length);
+        const double rest = stop - now_.time, parts = std::ceil((1.0 - 1e-6) * rest / length);
+        return parts > 1.0 && parts <= 4.0 ? now_.time + rest / parts : stop;
     }
 
     // Returns where the next step would end, s.
