@@ -278,7 +278,7 @@ private:
                 renew = false;
             }
             change = correct(h);
-            balanced_ = !frames_.turn() || tangents > 0 ||
+            balanced_ = !frames_.turn() ||
                         frames_.balances(problem_, lambda_change_.back(), lambda_.back(), pull_);
             frames_.add_correction();
             if (!std::isfinite(change)) return Status::not_finite;
@@ -311,9 +311,10 @@ private:
                 renew = left > 1.0 && left * std::pow(contraction_, rest) > 1.0;
                 if (renew && tangents == 2 && control_.is_adaptive()) return Status::max_iterations;
             }
-            // one correction tells nothing of new matrices, and leaves g off its zero by kept ones
+            // one correction tells nothing of new matrices, and leaves g off its zero by kept ones;
+            // new ones stand at the start of a step that may turn far, kept ones give way to them
             if ((iterations_ > 1 || (tangents == 0 && !constrained)) && is_told(since, change) &&
-                eta_ * excess <= 1.0)
+                eta_ * excess <= 1.0 && (balanced_ || tangents == 0))
                 break;
             before = change;
             ratio_before = ratio;
