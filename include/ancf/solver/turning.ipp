@@ -5,6 +5,7 @@
 
 #include <ancf/element/fields.hpp>
 #include <ancf/list.hpp>
+#include <ancf/model/triad.hpp>
 #include <ancf/solver/turning.hpp>
 
 #include <algorithm>
@@ -15,9 +16,8 @@ namespace ancf {
 
 namespace detail {
 
-/// The slopes of a node and what completes them to a frame: in the plane e_z, in space r_x x r_y
-/// where there are two.
-using SlopeFrame = std::array<Vec3<double>, 3>;
+/// The spin of a node's section by the components of its slopes: w = sum_k spin_k dslope_k.
+using NodeSpin = std::array<Vec3<double>, 9>;
 
 /// Returns a vector of two or three coordinates.
 [[nodiscard]] ANCF_INLINE Vec3<double> vector_at(const double* x, int dimension) noexcept {
@@ -43,78 +43,53 @@ using SlopeFrame = std::array<Vec3<double>, 3>;
                                second * twist * cross(unit, across));
 }
 
-/// Returns the frame of a node from its slopes, as many as the dimension or one less in space.
-[[nodiscard]] ANCF_INLINE SlopeFrame frame_of(const double* slopes, int count, int dimension) {
-    SlopeFrame G = {};
-    for (int k = 0; k < count; ++k) G[k] = vector_at(slopes + dimension * k, dimension);
-    if (dimension == 2) G[2][2] = 1.0;
-    if (count < dimension) G[2] = cross(G[0], G[1]);
-    return G;
-}
-
-/// Returns the change of that frame, to first order.
-[[nodiscard]] ANCF_INLINE SlopeFrame change_of_frame(const SlopeFrame& G, const double* change,
-                                                     int count, int dimension) {
-    SlopeFrame dG = {};
-    for (int k = 0; k < count; ++k) dG[k] = vector_at(change + dimension * k, dimension);
-    if (count < dimension) dG[2] = cross(dG[0], G[1]) + cross(G[0], dG[1]);
-    return dG;
-}
-
-/// Writes the columns g_k of G^-T, G of unit size.
-/// @return false where the determinant of G is below 1e-12.
-[[nodiscard]] ANCF_INLINE bool invert(const SlopeFrame& G, SlopeFrame& g) {
-    g = {cross(G[1], G[2]), cross(G[2], G[0]), cross(G[0], G[1])};
-    const double determinant = dot(g[0], G[0]);
-    for (Vec3<double>& column : g) column = column / determinant;
-    return std::abs(determinant) > 1e-12;
-}
-
-/// Moves a derivative by dG to the two slopes of a node in space, in place: adds what the third
-/// column of dG has of the two others.
-/// @param stride  between the entries
-ANCF_INLINE void pull_back(const SlopeFrame& G, int stride, double* derivative) {
-    const double* const third = derivative + 6 * stride;
-    const Vec3<double> by = {{third[0], third[stride], third[2 * stride]}};
-    const Vec3<double> first = cross(G[1], by), second = cross(by, G[0]);
-    for (int k = 0; k < 3; ++k) {
-        derivative[k * stride] += first[k];
-        derivative[(3 + k) * stride] += second[k];
+/// Finds how a node's section turns, as moments and joints have it: in the plane with r_y, in space
+/// with r_y and r_z, or with r_x and r_y where there is no r_z.
+/// @return false where slopes are parallel or without length
+[[nodiscard]] ANCF_INLINE bool spin_of(const double* slopes, int count, int dimension,
+                                       NodeSpin& spin) {
+    constexpr double least = 1e-12;
+    spin = {};
+    if (dimension == 2) {
+        const double x = slopes[2], y = slopes[3], square = x * x + y * y;
+        if (!(square > least)) return false;
+        spin[2][2] = -y / square;
+        spin[3][2] = x / square;
+        return true;
     }
-}
-
-/// Writes the derivative of u . spin by the slopes of a node in space, 9 entries. The spin of a
-/// frame G is the axial vector of the skew part of dG G^-1: half the sum of g_k x dG_k, g_k the
-/// columns of G^-T.
-/// @return false where the frame has no inverse
-[[nodiscard]] ANCF_INLINE bool spin_about(const Vec3<double>& unit, const double* slopes, int count,
-                                          double* derivative) {
-    const SlopeFrame G = frame_of(slopes, count, 3);
-    SlopeFrame g;
-    if (!invert(G, g)) return false;
-    for (int k = 0; k < 3; ++k) std::copy_n((0.5 * cross(unit, g[k])).v, 3, derivative + 3 * k);
-    if (count < 3) pull_back(G, 1, derivative);
+    const int across = 3 * (count - 2);
+    const Vec3<double> first = vector_at(slopes + across, 3),
+                       second = vector_at(slopes + across + 3, 3);
+    if (!(length(cross(first, second)) > least)) return false;
+    const auto frame = count == 3 ? Triad<double>::of_section(first, second, 0.5)
+                                  : Triad<double>::of_slopes(first, second);
+    std::copy(frame.spin.begin(), frame.spin.end(), spin.begin() + across);
     return true;
 }
 
-/// Moves a node's frame G = [r_x r_y r_z] to exp(W) (I + D) G, W + D = dG G^-1, W skew: dG_k and
-/// what the spin w of W takes from it, w x G_k, turned by w.
+/// Moves a node's slopes G to exp(W) (G + dG - W G), W the spin w that dG gives the section: dG_k
+/// and what w takes from it, w x G_k, turned by w.
 /// @param tangent_only  w keeps the part about r_x
 /// @param by            tangent: exp takes atan of the angle of W instead of the angle
 ANCF_INLINE void turn_frame(const double* before, const double* change, int count, int dimension,
                             bool tangent_only, TurnBy by, double* after) {
-    const SlopeFrame G = frame_of(before, count, dimension);
-    const SlopeFrame dG = change_of_frame(G, change, count, dimension);
-    SlopeFrame g;
-    if (!invert(G, g)) return;
-    Vec3<double> spin = 0.5 * (cross(g[0], dG[0]) + cross(g[1], dG[1]) + cross(g[2], dG[2]));
-    if (tangent_only) spin = dot(spin, G[0]) / dot(G[0], G[0]) * G[0];
+    NodeSpin by_slopes;
+    if (!spin_of(before, count, dimension, by_slopes)) return;
+    Vec3<double> spin = {};
+    for (int k = 0; k < count * dimension; ++k) add(spin, change[k], by_slopes[k]);
+    if (tangent_only) {
+        const Vec3<double> axis = vector_at(before, dimension);
+        spin = dot(spin, axis) / dot(axis, axis) * axis;
+    }
     const double size = length(spin);
     const double angle = by == TurnBy::tangent ? std::atan(size) : size;
     const double first = size > 0.0 ? std::sin(angle) / size : 1.0;
     const double half = size > 0.0 ? std::sin(0.5 * angle) / size : 0.5;
     for (int k = 0; k < count; ++k) {
-        const Vec3<double> rest = G[k] + dG[k] - cross(spin, G[k]), across = cross(spin, rest);
+        const Vec3<double> slope = vector_at(before + dimension * k, dimension);
+        const Vec3<double> rest =
+            slope + vector_at(change + dimension * k, dimension) - cross(spin, slope);
+        const Vec3<double> across = cross(spin, rest);
         const Vec3<double> end = rest + first * across + 2.0 * half * half * cross(spin, across);
         std::copy_n(end.v, dimension, after + dimension * k);
     }
@@ -139,33 +114,36 @@ ANCF_INLINE void turn_rate(const double* before, const double* change, const dou
     std::copy_n(turned.v, dimension, out);
 }
 
-/// Writes the second derivative of rho . exp(W) (I + D) G by dG, 9 x 9. With the columns g_k of
-/// G^-T and M = rho G^T, the entry of dG_ik and dG_jl is an eighth of
+/// Writes the second derivative of rho . exp(W) (G + dG - W G) by dG, of which (i, k) is component
+/// i of slope k. With M = sum_k rho_k G_k^T the entry of a = (i, k) and b = (j, l) is
 ///
-///     3 g_k[j] rho_l[i] + (g_k . g_l) M_ij - 3 [i = j] g_k . rho_l - g_l[i] (M^T g_k)[j],
+///     (rho_l x w_a)_j + (rho_k x w_b)_i + w_a . (tr M I - (M + M^T)/2) w_b.
 ///
-/// plus the same with (i, k) and (j, l) exchanged.
-/// @return false where the frame has no inverse
-[[nodiscard]] ANCF_INLINE bool frame_curvature(const SlopeFrame& G, const SlopeFrame& rho,
-                                               double* curvature) {
-    SlopeFrame g, M = {}, Mg = {};  // M by rows
-    if (!invert(G, g)) return false;
-    double gg[3][3], gr[3][3];
-    for (int k = 0; k < 3; ++k)
+/// @param curvature  9 x 9, as many rows and columns as there are components
+/// @return false where there is no spin
+[[nodiscard]] ANCF_INLINE bool frame_curvature(const double* slopes, const Vec3<double> (&rho)[3],
+                                               int count, int dimension, double* curvature) {
+    NodeSpin spin;
+    if (!spin_of(slopes, count, dimension, spin)) return false;
+    std::array<Vec3<double>, 3> of_spins = {};  // the symmetric matrix, by rows
+    for (int k = 0; k < count; ++k) {
+        const Vec3<double> slope = vector_at(slopes + dimension * k, dimension);
+        const double trace = dot(rho[k], slope);
         for (int i = 0; i < 3; ++i) {
-            add(M[i], rho[k][i], G[k]);
-            gg[k][i] = dot(g[k], g[i]);
-            gr[k][i] = dot(g[k], rho[i]);
+            of_spins[i][i] += trace;
+            add(of_spins[i], -0.5 * rho[k][i], slope);
+            add(of_spins[i], -0.5 * slope[i], rho[k]);
         }
-    for (int k = 0; k < 3; ++k)
-        for (int i = 0; i < 3; ++i) add(Mg[k], g[k][i], M[i]);
-    const auto half = [&](int a, int b) {
-        const int i = a % 3, k = a / 3, j = b % 3, l = b / 3;
-        return 0.125 * (3.0 * g[k][j] * rho[l][i] + gg[k][l] * M[i][j] -
-                        (i == j ? 3.0 * gr[k][l] : 0.0) - g[l][i] * Mg[k][j]);
-    };
-    for (int a = 0; a < 9; ++a)
-        for (int b = 0; b < 9; ++b) curvature[9 * a + b] = half(a, b) + half(b, a);
+    }
+    const int size = count * dimension;
+    for (int b = 0; b < size; ++b) {
+        Vec3<double> turned = {};
+        for (int i = 0; i < 3; ++i) turned[i] = dot(of_spins[i], spin[b]);
+        for (int a = 0; a < size; ++a)
+            curvature[9 * a + b] = dot(spin[a], turned) +
+                                   cross(rho[b / dimension], spin[a])[b % dimension] +
+                                   cross(rho[a / dimension], spin[b])[a % dimension];
+    }
     return true;
 }
 
@@ -266,24 +244,16 @@ ANCF_INLINE void Turning::add_curvature(const VectorX& q, const VectorX& residua
                 add_curvature_of_slope(at.first + slope * dimension_, q, residual, pattern, values);
             continue;
         }
-        const detail::SlopeFrame G = detail::frame_of(q.data() + at.first, at.count, dimension_);
-        detail::SlopeFrame rho = {};
         const int size = dimension_ * at.count;
         int equations[9];
-        double curvature[81], block[81];
+        double curvature[81];
+        detail::Vec3<double> rho[3] = {};
         for (int k = 0; k < size; ++k) {
             equations[k] = numbering_.equation(at.first + k);
             rho[k / dimension_][k % dimension_] = residual[equations[k]];
         }
-        if (!detail::frame_curvature(G, rho, curvature)) continue;
-        if (at.count < dimension_) {
-            for (int k = 0; k < 9; ++k) detail::pull_back(G, 9, curvature + k);
-            for (int k = 0; k < 9; ++k) detail::pull_back(G, 1, curvature + 9 * k);
-        }
-        const auto place = [&](int k) { return 3 * (k / dimension_) + k % dimension_; };
-        for (int i = 0; i < size; ++i)
-            for (int j = 0; j < size; ++j) block[9 * i + j] = curvature[9 * place(i) + place(j)];
-        detail::add_block(block, 9, 1, equations, size, equations, size, pattern, values);
+        if (detail::frame_curvature(q.data() + at.first, rho, at.count, dimension_, curvature))
+            detail::add_block(curvature, 9, 1, equations, size, equations, size, pattern, values);
     }
     if (!chords) return;
     factorize();
@@ -343,11 +313,11 @@ ANCF_INLINE void Turning::add_curvature_of_chord(const std::array<int, 2>& chord
         }
         if (dimension_ < 3) continue;
         const Slopes at = slopes(node);
-        double spin[9];
-        if (!at.whole || !detail::spin_about(unit, q.data() + at.first, at.count, spin)) continue;
+        detail::NodeSpin spin;
+        if (!at.whole || !detail::spin_of(q.data() + at.first, at.count, 3, spin)) continue;
         for (int k = 0; k < 3 * at.count; ++k) {
             slope[slope_count] = numbering_.equation(at.first + k);
-            twist[slope_count++] = 0.5 * spin[k];
+            twist[slope_count++] = 0.5 * dot(unit, spin[k]);
         }
     }
     double of_positions[6 * 6], of_both[6 * 18];
@@ -468,10 +438,10 @@ ANCF_INLINE double Turning::twist(const std::array<int, 2>& chord, const VectorX
     double mean = 0.0;
     for (const int node : chord) {
         const Slopes at = slopes(node);
-        double spin[9];
-        if (at.count < 2 || !detail::spin_about(unit, before.data() + at.first, at.count, spin))
-            continue;
-        for (int k = 0; k < 3 * at.count; ++k) mean += 0.5 * spin[k] * change[at.first + k];
+        detail::NodeSpin spin;
+        if (at.count < 2 || !detail::spin_of(before.data() + at.first, at.count, 3, spin)) continue;
+        for (int k = 0; k < 3 * at.count; ++k)
+            mean += 0.5 * dot(unit, spin[k]) * change[at.first + k];
     }
     return mean;
 }
