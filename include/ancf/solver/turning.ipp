@@ -314,10 +314,10 @@ ANCF_INLINE void Turning::add_curvature_of_chord(const std::array<int, 2>& chord
         if (dimension_ < 3) continue;
         const Slopes at = slopes(node);
         detail::NodeSpin spin;
-        if (!at.whole || !detail::spin_of(q.data() + at.first, at.count, 3, spin)) continue;
+        if (at.count < 2 || !detail::spin_of(q.data() + at.first, at.count, 3, spin)) continue;
         for (int k = 0; k < 3 * at.count; ++k) {
             slope[slope_count] = numbering_.equation(at.first + k);
-            twist[slope_count++] = 0.5 * dot(unit, spin[k]);
+            if (slope[slope_count] >= 0) twist[slope_count++] = 0.5 * dot(unit, spin[k]);
         }
     }
     double of_positions[6 * 6], of_both[6 * 18];
