@@ -96,7 +96,7 @@ struct NegativeDirections {
 [[nodiscard]] bool moves_freely(const Assembly& assembly, const LinearSolver& solver);
 
 /// Tells whether supports alone keep every part of a scene in the plane, joined by its elements,
-/// from moving rigidly.
+/// from moving rigidly; not of scenes with attached nodes.
 [[nodiscard]] bool supports_hold(const Assembly& assembly);
 
 /// Tells whether the softest motions of D dx/dt = -K x decay, D the diagonal of the tangent K: what

@@ -282,8 +282,9 @@ ANCF_INLINE bool supports_hold(const Assembly& assembly) {
         r[2] = axis == 0 ? -arm : arm;
         for (int row = 0; row < 3; ++row) add(sums[part(node)][row], r[row], r);
     }
-    for (int node = 0; node < layout.nodes(); ++node) {
-        const auto& sum = sums[part(node)];
+    for (int k = 0; k < assembly.numbering().coordinates(); ++k) {
+        if (assembly.numbering().equation(k) < 0) continue;  // a point that is held cannot turn
+        const auto& sum = sums[part(layout.node_of(k))];
         if (!(dot(sum[0], cross(sum[1], sum[2])) > least)) return false;
     }
     return true;
