@@ -471,6 +471,16 @@ TEST_CASE("problem: reactions are those of the state, wherever its supports stan
     const double pull = 500.0 * 0.5 * (stretch * stretch - 1.0) * stretch;  // of Green's strain
     CHECK(forces[scene.model.coordinate(scene.first(), Field::r)] == Approx(-pull).epsilon(1e-14));
     CHECK(forces[scene.model.coordinate(scene.last(), Field::r)] == Approx(pull).epsilon(1e-14));
+
+    // a run that an observer asks for them goes on where its supports were
+    VectorX q, lambda, fresh, after;
+    problem.numbering().gather_free(scene.model.state().q, q);
+    const VectorX v = VectorX::Zero(q.size());
+    REQUIRE(ancf::DynamicProblem(scene.model).accelerations(0.0, q, v, fresh, lambda) ==
+            Status::converged);
+    REQUIRE(fresh.norm() <= 1e-9);
+    REQUIRE(problem.accelerations(0.0, q, v, after, lambda) == Status::converged);
+    CHECK(after.norm() > 1.0);
 }
 
 TEST_CASE("problem: frequencies of a bar row are those of its closed form", "[dynamics]") {

@@ -637,14 +637,16 @@ ANCF_INLINE Status DynamicProblem::reactions(const State& state, VectorX& forces
                     "DynamicProblem::reactions: expected ", all, " coordinates and rates, got ",
                     state.q.size(), " and ", state.v.size());
     forces.setZero(all);
-    full_q_ = state.q;  // supports hold where it has them
+    const VectorX before = std::exchange(full_q_, state.q);  // supports hold where it has them
     VectorX q, v, acceleration, lambda;
     numbering().gather_free(state.q, q);
     numbering().gather_free(state.v, v);
-    if (const Status status = accelerations(state.time, q, v, acceleration, lambda);
-        status != Status::converged)
-        return status;
-    if (const auto fault = evaluate(state.time, q, v, lambda, Request::force)) return fault->status;
+    Status status = accelerations(state.time, q, v, acceleration, lambda);
+    if (status == Status::converged)
+        if (const auto fault = evaluate(state.time, q, v, lambda, Request::force))
+            status = fault->status;
+    for (const int k : numbering().held()) full_q_[k] = before[k];  // as a run goes on with them
+    if (status != Status::converged) return status;
     VectorX whole = full_a_;  // of driven coordinates
     numbering().add_free(acceleration, 1.0, whole);
     const VectorX exerted = assembly_.mass_product(whole) + assembly_.internal_force() +
