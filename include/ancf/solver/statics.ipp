@@ -116,6 +116,7 @@ private:
     /// @param whole  whether the step that the options ask for is done
     [[nodiscard]] bool go_on(const LoadStep& step, bool whole) {
         report_.factor = step.factor;
+        turns_first_ = true;
         way_ = Way::usual;
         if (grows(step))
             part_size_ =
@@ -325,6 +326,7 @@ private:
         const bool moved = any(largest_magnitude(increment) != 0.0);
 
         last_.before = state.q;
+        if (report_.steps.size() == 1) turns_first_ = holds_in_plane();
         if (!evaluate(state, moved ? &increment : nullptr)) return report_.fault->status;
         note_far_joint();
         state.q = driven;
@@ -350,7 +352,7 @@ private:
             if (step.iterations == 0 && repeats()) return Status::singular;
             assembly_.residual(residual_);
             if (step.newton == NewtonKind::automatic &&
-                (step.corrections.empty() ? may_turn_first() : correction > small_turn))
+                (step.corrections.empty() ? turns_first_ : correction > small_turn))
                 add_curvature(!step.corrections.empty() || follows());
             const Status solved = step.damped ? correct_damped(step) : correct(step);
             if (solved != Status::converged) return solved;
@@ -385,6 +387,13 @@ private:
         return (!(plain.rcond > rcond_of_round_off) ||
                 !(monitor_.correction(moved) <= far_beyond)) &&
                moves_freely(assembly_, solver_);
+    }
+
+    /// Whether a scene in the plane is held where the run begins: in the first tangent what turning
+    /// makes of it would hide from the factorisation that only loads hold the scene.
+    [[nodiscard]] bool holds_in_plane() {
+        return model_.dimension() == 3 || newton_ != NewtonKind::automatic ||
+               supports_hold(assembly_) || !begins_unheld();
     }
 
     /// Whether constraints repeat each other or a support, by the first tangent of the run.
@@ -469,13 +478,6 @@ private:
     /// load would turn the first correction round.
     [[nodiscard]] bool follows() const {
         return report_.factor != options_.first_factor && successes_ >= none_failed;
-    }
-
-    /// Whether the first tangent of a step may have what turning makes of it. In the plane it would
-    /// hide from the first factorisation of a run that only loads hold the scene.
-    [[nodiscard]] bool may_turn_first() {
-        if (!turns_first_) turns_first_ = model_.dimension() == 3 || supports_hold(assembly_);
-        return *turns_first_ || report_.factor != options_.first_factor;
     }
 
     /// Adds to the tangent what turning makes of it.
@@ -743,8 +745,8 @@ private:
     double turn_share_ = 1.0;  // of the turn that one step may take, where a longer one has failed
     Instant instant_;
     StaticsReport report_;
-    std::optional<bool> repeats_;       // see repeats()
-    std::optional<bool> turns_first_;   // see may_turn_first(): where the run begins
+    std::optional<bool> repeats_;  // see repeats()
+    bool turns_first_ = true;           // whether first tangents have what turning makes of them
     std::optional<Stability> reached_;  // at the end of the last attempt, where it was judged
     VectorX residual_, correction_;
     Correction last_;        // of the attempt that runs
