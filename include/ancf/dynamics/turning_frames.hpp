@@ -27,8 +27,9 @@ namespace ancf::detail {
 /// Whether corrections are solved in frames that turn with the nodes, and vectors that turn so.
 ///
 /// One slope of a node tells its turn, in space two where it has as many; a node without a free
-/// slope does not turn. Where Newton's method fails often, the other way is tried, and kept where
-/// it takes less work.
+/// slope does not turn. Where supports keep slopes normal to one global axis, as those of a hinge,
+/// their other components turn about that. Where Newton's method fails often, the other way is
+/// tried, and kept where it takes less work.
 class TurningFrames {
 public:
     /// Begins with frames that do not turn.
@@ -38,18 +39,17 @@ public:
         const Layout& layout = scene.layout();
         for (int node = 0; node < layout.nodes(); ++node) {
             const std::size_t begin = free_.size();
+            const int axis = hinge_axis(scene, numbers, node);
             int slopes[2] = {-1, -1}, count = 0;
             for (int k = layout.first(node); k < layout.first(node + 1); k += dimension_) {
-                const int first = numbers.equation(k);
-                bool free = first >= 0;
-                for (int i = 1; i < dimension_; ++i)
-                    free = free && numbers.equation(k + i) == first + i;
-                if (!free) continue;
-                free_.push_back(first);
+                const int held = held_component(numbers, k);
+                if (held == several || (held >= 0 && held != axis)) continue;
+                const int place = static_cast<int>(free_.size());
+                for (const int number : {numbers.equation(held == 0 ? k + 1 : k), held})
+                    free_.push_back(number);
                 const int power = length_power(layout.field_of(k));
-                if (power != 1) directions_.push_back(first);
-                const bool slope = power == 0;
-                if (slope && count < dimension_ - 1) slopes[count++] = first;
+                if (power != 1 && held < 0) directions_.push_back(free_[place]);
+                if (power == 0 && count < dimension_ - 1) slopes[count++] = place;
             }
             if (count == 0) {
                 free_.resize(begin);
@@ -81,11 +81,12 @@ public:
                 add(d, -dot(b, d), b);
                 set_mirrors(unit(c), unit(d), cross(b, unit(c)), mirrors + 2);
             }
-            for (; k < nodes_[node + 2]; ++k) {
-                const int first = free_[static_cast<std::size_t>(k)];
-                Vec3<double> turned = vector(x, first);
+            for (; k < nodes_[node + 2]; k += 2) {
+                Vec3<double> turned = vector(x, k);
                 reflect(mirrors, second >= 0 ? 4 : 2, turned);
-                for (int i = 0; i < dimension_; ++i) x[first + i] = turned[i];
+                double* entry = x + free_[k];
+                for (int i = 0; i < dimension_; ++i)
+                    if (i != free_[k + 1]) *entry++ = turned[i];
             }
         }
     }
@@ -195,9 +196,38 @@ public:
 
 private:
     static constexpr double trial_steps = 20.0;
+    static constexpr int none = -1, several = -2;
 
-    [[nodiscard]] Vec3<double> vector(const double* x, int first) const {
-        return {{x[first], x[first + 1], dimension_ == 3 ? x[first + 2] : 0.0}};
+    /// Returns which component of a vector a support holds.
+    /// @param first  coordinate of the vector
+    [[nodiscard]] int held_component(const Numbering& numbers, int first) const {
+        int held = none;
+        for (int i = 0; i < dimension_; ++i)
+            if (numbers.equation(first + i) < 0) held = held == none ? i : several;
+        return dimension_ == 2 && held >= 0 ? several : held;
+    }
+
+    /// Returns the axis that all held slopes of a node in space are normal to.
+    [[nodiscard]] int hinge_axis(const Scene& scene, const Numbering& numbers, int node) const {
+        const Layout& layout = scene.layout();
+        const VectorX& q = scene.state().q;
+        int axis = none;
+        for (int k = layout.first(node); k < layout.first(node + 1); k += dimension_) {
+            const int held = held_component(numbers, k);
+            if (held < 0 || length_power(layout.field_of(k)) != 0) continue;
+            const bool normal = std::abs(q[k + held]) < 1e-3 * length(vec3<double>(q, k));
+            axis = normal && (axis == none || axis == held) ? held : several;
+        }
+        return axis;
+    }
+
+    // Returns a vector by its place in free_.
+    [[nodiscard]] Vec3<double> vector(const double* x, int place) const {
+        const double* entry = x + free_[place];
+        Vec3<double> all = {};
+        for (int i = 0; i < dimension_; ++i)
+            if (i != free_[place + 1]) all[i] = *entry++;
+        return all;
     }
     [[nodiscard]] static Vec3<double> unit(const Vec3<double>& a) { return a / length(a); }
 
@@ -221,9 +251,9 @@ private:
     }
 
     int dimension_;
-    List<int> free_;        // of each free vector the equation of its first component
-    List<int> directions_;  // likewise, without positions
-    List<int> nodes_;       // of each node its slopes, likewise or -1, and where its vectors end
+    List<int> free_;        // of each vector its first equation and the component held or -1
+    List<int> directions_;  // of free vectors but positions the first equation
+    List<int> nodes_;       // of each node places of slopes in free_ or -1, and of its last's end
     bool turn_ = false;
     double failures_ = 0.0;
     double patience_;         // after how many failures the other way is tried
