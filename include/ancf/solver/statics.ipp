@@ -745,7 +745,7 @@ private:
     double turn_share_ = 1.0;  // of the turn that one step may take, where a longer one has failed
     Instant instant_;
     StaticsReport report_;
-    std::optional<bool> repeats_;  // see repeats()
+    std::optional<bool> repeats_;       // see repeats()
     bool turns_first_ = true;           // whether first tangents have what turning makes of them
     std::optional<Stability> reached_;  // at the end of the last attempt, where it was judged
     VectorX residual_, correction_;
