@@ -282,7 +282,8 @@ void run_statics(const Plan& plan, const Report& report, const std::string& name
             for (const int mesh : meshes) {
                 options.newton = ancf::NewtonKind::plain;
                 for (const std::string& solver : solvers) run(rule, solver, mesh);
-                for (const auto newton : {ancf::NewtonKind::mixed, ancf::NewtonKind::turned}) {
+                for (const auto newton : {ancf::NewtonKind::mixed, ancf::NewtonKind::turned,
+                                          ancf::NewtonKind::automatic}) {
                     options.newton = newton;
                     if (has_mixed_newton<Element>) run(rule, usual, mesh);
                 }

@@ -311,9 +311,6 @@ private:
     ///
     /// A matrix, of an earlier step or iterate, stays while it converges fast enough.
     [[nodiscard]] Status iterate(double h, bool renew) {
-        const int n = problem_.size();
-        const int m = problem_.multipliers();
-        rhs_.resize(n + m);
         bool fresh = false;  // whether the matrix is of this step
         int since = 0;       // corrections by the matrix at hand
         matrix_.steps += 1.0;
@@ -329,21 +326,10 @@ private:
                 fresh = true;
                 since = 0;
             }
-            product_ = problem_.force();
-            problem_.add_mass_product(1.0, next_.acceleration, product_);
-            for (int i = 0; i < n; ++i) rhs_[i] = -product_[i];
-            for (int i = 0; i < m; ++i)
-                rhs_[n + i] = problem_.constraint_residual()[i] / (-h * h * beta_hat_);
-            if (frames_.turn()) frames_.carry(next_.q, linearised_.q, rhs_.data());
-            solve_with(solver_, rhs_, solution_);
-            if (frames_.turn()) frames_.carry(linearised_.q, next_.q, solution_.data());
-            ++report_.iterations;
-            frames_.add_correction();
-            add(h, solution_.head(n));
-            next_.lambda += solution_.tail(m);
-            const double change = h * h * beta_hat_ * problem_.largest_ratio(solution_.head(n));
+            const double change = correct(h);
+            const auto of_lambda = solution_.tail(problem_.multipliers());
             const bool balanced = !frames_.turn() || fresh ||
-                                  frames_.balances(problem_, solution_.tail(m), next_.lambda, pull);
+                                  frames_.balances(problem_, of_lambda, next_.lambda, pull);
             if (!std::isfinite(change)) return Status::not_finite;
             // far below the local error of the step, however short it is
             const double local = h * h * beta_hat_ * change_of_acceleration();
@@ -379,6 +365,26 @@ private:
             before = change;
         }
         return Status::max_iterations;
+    }
+
+    /// Solves for one correction and adds it; returns its size.
+    [[nodiscard]] double correct(double h) {
+        const int n = problem_.size();
+        const int m = problem_.multipliers();
+        product_ = problem_.force();
+        problem_.add_mass_product(1.0, next_.acceleration, product_);
+        rhs_.resize(n + m);
+        for (int i = 0; i < n; ++i) rhs_[i] = -product_[i];
+        for (int i = 0; i < m; ++i)
+            rhs_[n + i] = problem_.constraint_residual()[i] / (-h * h * beta_hat_);
+        if (frames_.turn()) frames_.carry(next_.q, linearised_.q, rhs_.data());
+        solve_with(solver_, rhs_, solution_);
+        if (frames_.turn()) frames_.carry(linearised_.q, next_.q, solution_.data());
+        ++report_.iterations;
+        frames_.add_correction();
+        add(h, solution_.head(n));
+        next_.lambda += solution_.tail(m);
+        return h * h * beta_hat_ * problem_.largest_ratio(solution_.head(n));
     }
 
     /// Builds [M + h gamma_hat D + h^2 beta_hat K, G^T; G, 0] from the last evaluation and

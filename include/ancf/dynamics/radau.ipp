@@ -234,38 +234,57 @@ private:
         return status == Status::converged || !frames_.fail() ? status : iterate(h, true);
     }
 
+    /// Predicts the stages of a step, in frames that turn without strains of the turn.
+    void begin(const Span& step) {
+        const double h = step.width;
+        predict(1.0, width_before_ > 0.0 ? h / width_before_ : 0.0);
+        pull_ = 0.0;
+        if (!frames_.turn()) return;
+        place_stages(step);
+        for (std::size_t i = 0; i < stages_; ++i) {
+            VectorX q = stage_[i].q;
+            frames_.begin_step(now_.q, q);
+            Y_[i] += (q - stage_[i].q) / (h * h);
+        }
+    }
+
+    /// What a correction of a step is measured by; all but the last relative to the scene.
+    struct Bounds {
+        double least;     // what coordinates resolve
+        double noise;     // round-off of the residual, and no less than the least
+        double wanted;    // of the options
+        double of_error;  // a share of the step's own error, as the last step tells it
+        double energy;    // J, of strains
+    };
+
+    [[nodiscard]] Bounds bounds(double h) const {
+        Bounds of{};
+        of.least = resolution * remoteness(now_.q);
+        of.noise = std::max(round_off, of.least);
+        of.wanted = options_.newton_tolerance > 0.0 ? newton_tolerance_
+                                                    : std::max(newton_tolerance_, of.least);
+        const double shrinks = width_before_ > 0.0 ? std::min(h / width_before_, 1.0) : 0.0;
+        of.of_error = 0.06 * error_before_ * std::pow(shrinks, options_.stages + 1);
+        of.energy = frames_.turn()
+                        ? std::pow(0.03 * share() * newton_tolerance_, 2) *
+                              typical_energy(problem_, now_.v, now_.acceleration, strain_, h)
+                        : std::numeric_limits<double>::infinity();
+        return of;
+    }
+
     /// Iterates from the prediction, with a new tangent or the matrices at hand.
     [[nodiscard]] Status iterate(double h, bool renew) {
         constexpr double epsilon = std::numeric_limits<double>::epsilon();
         constexpr double nothing = epsilon * epsilon;  // of a correction, relative to the scene
         const bool constrained = problem_.multipliers() > 0;
         const Span step{now_, h, next_.time};
-        predict(1.0, width_before_ > 0.0 ? h / width_before_ : 0.0);
-        if (frames_.turn()) {
-            place_stages(step);
-            for (std::size_t i = 0; i < stages_; ++i) {
-                VectorX q = stage_[i].q;
-                frames_.begin_step(now_.q, q);
-                Y_[i] += (q - stage_[i].q) / (h * h);
-            }
-        }
-        pull_ = 0.0;
+        begin(step);
+        const Bounds bound = bounds(h);
+        const double least = bound.least, noise = bound.noise;
         int tangents = 0;  // of this step
         int since = 0;     // corrections by the matrices at hand
-        const double least = resolution * remoteness(now_.q);
-        const double noise = std::max(round_off, least);
-        const double tolerance = options_.newton_tolerance > 0.0
-                                     ? newton_tolerance_
-                                     : std::max(newton_tolerance_, least);
         double change = 0.0, before = 0.0, ratio_before = 0.0;
         const double expected = std::min(contraction_, 0.5);
-        // a share of the step's own error, as the last step tells it
-        const double shrinks = width_before_ > 0.0 ? std::min(h / width_before_, 1.0) : 0.0;
-        const double of_error = 0.06 * error_before_ * std::pow(shrinks, options_.stages + 1);
-        const double energy =
-            frames_.turn() ? std::pow(0.03 * share() * newton_tolerance_, 2) *
-                                 typical_energy(problem_, now_.v, now_.acceleration, strain_, h)
-                           : std::numeric_limits<double>::infinity();
         eta_ = std::pow(std::max(eta_, 1e-16), 0.8);
         for (iterations_ = 1;; ++iterations_) {
             if (iterations_ > options_.max_iterations) return Status::max_iterations;
@@ -287,8 +306,9 @@ private:
             // stresses
             const double of_motion = of_accelerations_ * h * h * problem_.largest_ratio(Y_.back());
             const double wanted =
-                std::min(tolerance, std::max({of_error, of_motion, 1e-13, least}));
-            const double strained = change > noise ? std::sqrt(correction_energy_ / energy) : 0.0;
+                std::min(bound.wanted, std::max({bound.of_error, of_motion, 1e-13, least}));
+            const double strained =
+                change > noise ? std::sqrt(correction_energy_ / bound.energy) : 0.0;
             const double excess = std::max(change / wanted, strained);
             const double ratio = iterations_ > 1 ? change / before : 0.0;
             const double enough = std::max(wanted, noise);
@@ -321,13 +341,7 @@ private:
         }
         // a single correction does not tell how good the matrices are; where the last one is
         // round-off of coordinates, the contraction is only an upper bound
-        const bool told = since > 1 && change > least;
-        if (tangents > 0) fresh_ = told ? contraction_ : std::min(fresh_, contraction_);
-        // in frames that turn even new matrices leave about half the angle between the stages;
-        // adaptive steps would pay for kept ones by shorter steps
-        const bool keeps = frames_.turn() && !control_.is_adaptive();
-        const double of_angle = keeps ? 1.5 * fresh_ : 0.0;
-        renew_ = told && contraction_ > std::max(good_contraction, of_angle);
+        judge_matrices(since > 1 && change > least, tangents > 0);
         place_stages(step);
         next_.q = stage_.back().q;
         frames_.compare(problem_, next_.q);
@@ -335,6 +349,18 @@ private:
         next_.lambda = lambda_.back();
         next_.acceleration = acceleration_.back();
         return Status::converged;
+    }
+
+    /// Decides whether the next step has new matrices.
+    /// @param told   whether the contraction tells how good those at hand are
+    /// @param fresh  whether they are of this step
+    void judge_matrices(bool told, bool fresh) {
+        if (fresh) fresh_ = told ? contraction_ : std::min(fresh_, contraction_);
+        // in frames that turn even new matrices leave about half the angle between the stages;
+        // adaptive steps would pay for kept ones by shorter steps
+        const bool keeps = frames_.turn() && !control_.is_adaptive();
+        const double of_angle = keeps ? 1.5 * fresh_ : 0.0;
+        renew_ = told && contraction_ > std::max(good_contraction, of_angle);
     }
 
     /// Tells whether so many corrections by the matrices at hand tell what is left: where fixed
