@@ -55,7 +55,6 @@ const std::vector<std::pair<std::string, NewtonKind>>& kinds() {
     static const std::vector<std::pair<std::string, NewtonKind>> all = {
         {"plain", NewtonKind::plain},
         {"mixed", NewtonKind::mixed},
-        {"turned", NewtonKind::turned},
         {"automatic", NewtonKind::automatic}};
     return all;
 }
@@ -146,7 +145,7 @@ int main(int argc, char** argv) {
     int random = 0;
     unsigned seed = 1;
     bool iterates = false, no_check = false, verbose = false, quick = false;
-    app.add_option("--newton", newton, "plain, mixed, turned or automatic; none: all");
+    app.add_option("--newton", newton, "plain, mixed or automatic; none: all");
     app.add_option("--case", name, "beginning of a name");
     app.add_flag("--iterates", iterates, "of one load step");
     app.add_option("--random", random, "number of random cantilevers");

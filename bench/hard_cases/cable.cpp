@@ -94,7 +94,8 @@ void rolled(Rows& rows, const std::string& name, int elements, int steps, double
     Row row = make(name, elements, 0.01);
     Cantilever cantilever(5e-3, elements);
     cantilever.add(ancf::TangentMoment(cantilever.end(), {0, 0, 2.0 * pi * circles}));
-    cantilever.solve(row, ancf::NewtonKind::turned, steps, {0, circles == 0.5 ? 2.0 / pi : 0.0, 0});
+    cantilever.solve(row, ancf::NewtonKind::automatic, steps,
+                     {0, circles == 0.5 ? 2.0 / pi : 0.0, 0});
     rows.push_back(row);
 }
 

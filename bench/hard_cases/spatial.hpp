@@ -147,7 +147,7 @@ public:
                 if (node != beam.first()) scene.add(ancf::RigidSection(node));
             scene.add(ancf::Moment(beam.last(), {0, 0, 200.0 * pi * load}));
             scene.add(ancf::Force<3>(beam.last(), {0, 0, 50.0 * load}));
-            solve(scene, row, ancf::NewtonKind::turned, whole ? 100 : 5, false);
+            solve(scene, row, ancf::NewtonKind::automatic, whole ? 100 : 5, false);
             // Reissner's beam by shooting; the tip tells more than the turns
             const Point theory = whole ? Point(0.004803250, 0.000072497, -0.076441742)
                                        : Point(0.711481028872, 6.285664430813, 2.750736205012);
@@ -444,7 +444,7 @@ private:
         scene.clamp(beam.first(), ancf::Clamp::free_slope);
         const double moment = 2.0 * pi * circles * bending(material, height);
         scene.add(ancf::Moment(beam.last(), {0, 0, moment}));
-        solve(scene, row, ancf::NewtonKind::turned,
+        solve(scene, row, ancf::NewtonKind::automatic,
               semicircle ? 1 : static_cast<int>(2.5 * circles), false);
         Point theory(0, semicircle ? 2.0 / pi : 0.0, 0);
         if (semicircle && !is_reissner<Element>) theory = {-0.003648082997, 0.633306343961, 0};

@@ -87,7 +87,6 @@ inline constexpr bool has_mixed_newton =
 inline const char* newton_suffix(ancf::NewtonKind newton) {
     switch (newton) {
         case ancf::NewtonKind::mixed: return "+mixed-newton";
-        case ancf::NewtonKind::turned: return "+turned-newton";
         case ancf::NewtonKind::automatic: return "+automatic-newton";
         case ancf::NewtonKind::plain: break;
     }
@@ -282,8 +281,7 @@ void run_statics(const Plan& plan, const Report& report, const std::string& name
             for (const int mesh : meshes) {
                 options.newton = ancf::NewtonKind::plain;
                 for (const std::string& solver : solvers) run(rule, solver, mesh);
-                for (const auto newton : {ancf::NewtonKind::mixed, ancf::NewtonKind::turned,
-                                          ancf::NewtonKind::automatic}) {
+                for (const auto newton : {ancf::NewtonKind::mixed, ancf::NewtonKind::automatic}) {
                     options.newton = newton;
                     if (has_mixed_newton<Element>) run(rule, usual, mesh);
                 }

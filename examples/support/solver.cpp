@@ -33,8 +33,8 @@ void SolverOptions::add_to(CommandLine& line) {
     constexpr int most = 1'000'000;
     line.set_group("Solution");
     line.add_choice("--solver", solver, {"cholmod", "umfpack", "eigen"}, "linear solver");
-    line.add_choice("--newton", newton, {"automatic", "plain", "mixed", "turned"},
-                    "Newton's method: by itself, plain, of mixed integration points, turning");
+    line.add_choice("--newton", newton, {"automatic", "plain", "mixed"},
+                    "Newton's method: by itself, plain, of mixed integration points");
     line.add_count("--steps", statics.steps, 1, most, "equal load steps");
     line.add_count("--max-iterations", statics.max_iterations, 1, most,
                    "linear solves per load step");
@@ -45,10 +45,9 @@ void SolverOptions::add_to(CommandLine& line) {
 
 ancf::StaticsReport solve(ancf::Scene& model, const SolverOptions& options) {
     ancf::StaticsOptions statics = options.statics;
-    statics.newton = options.newton == "plain"    ? ancf::NewtonKind::plain
-                     : options.newton == "mixed"  ? ancf::NewtonKind::mixed
-                     : options.newton == "turned" ? ancf::NewtonKind::turned
-                                                  : ancf::NewtonKind::automatic;
+    statics.newton = options.newton == "plain"   ? ancf::NewtonKind::plain
+                     : options.newton == "mixed" ? ancf::NewtonKind::mixed
+                                                 : ancf::NewtonKind::automatic;
     const std::unique_ptr<ancf::LinearSolver> solver = linear_solver(options.solver);
     return ancf::solve_statics(model, *solver, statics);
 }

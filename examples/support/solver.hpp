@@ -20,7 +20,7 @@ namespace examples {
 /// How a static problem is solved, from the command line.
 struct SolverOptions {
     std::string solver;                ///< cholmod or umfpack where SuiteSparse is there, or eigen
-    std::string newton = "automatic";  ///< plain, mixed, turned or automatic
+    std::string newton = "automatic";  ///< plain, mixed or automatic
     ancf::StaticsOptions statics;
 
     SolverOptions();

@@ -63,8 +63,7 @@ public:
 
     /// Brings the parts to equilibrium. Stability is not judged, and NewtonKind::automatic is
     /// iterated as NewtonKind::mixed.
-    /// @throws InvalidArgument for options that cannot be meant, NewtonKind::turned among them:
-    ///         its corrections tie all nodes of the scene.
+    /// @throws InvalidArgument for options that cannot be meant.
     [[nodiscard]] StaticsReport solve(const StaticsOptions& options = {});
 
     /// Integrates from the parts' state to the schedule's end; solve leaves its factor as the time,

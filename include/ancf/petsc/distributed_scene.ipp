@@ -20,9 +20,6 @@ ANCF_INLINE DistributedScene::DistributedScene(Scene& model, MPI_Comm comm,
 
 ANCF_INLINE StaticsReport DistributedScene::solve(const StaticsOptions& options) {
     options.check();
-    ancf::detail::require(options.newton != NewtonKind::turned,
-                          "petsc::DistributedScene::solve: NewtonKind::turned ties all nodes of "
-                          "a scene; take mixed or plain");
     StaticsOptions own = options;
     if (options.progress)
         own.progress = [&](double factor, const State& state) {

@@ -28,9 +28,8 @@ namespace ancf {
 
 /// How Newton's method corrects a state: docs/theory-statics.md, "Stresses as unknowns".
 enum class NewtonKind {
-    plain,   ///< the derivative of the residual
-    mixed,   ///< that of mixed integration points: fewer iterations and larger steps
-    turned,  ///< mixed, and large corrections turn slopes and chords: for end moments, roll-up
+    plain,  ///< the derivative of the residual
+    mixed,  ///< that of mixed integration points: fewer iterations and larger steps
     /// mixed where an element is; large corrections turn slopes and chords, by the angle where
     /// moments do most work and by its tangent where forces do; a step that will not converge, or
     /// ends on another branch, is cut; a line that hangs loose is iterated plainly instead:

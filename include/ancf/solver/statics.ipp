@@ -306,9 +306,8 @@ private:
             !(turning_.largest_angle(last_.before, last_.change) > small_turn))
             turning_.twist(last_.before, last_.change, q);
         else
-            turning_.turn(
-                last_.before, last_.change, q,
-                newton == NewtonKind::turned || moments_lead() ? TurnBy::angle : TurnBy::tangent);
+            turning_.turn(last_.before, last_.change, q,
+                          moments_lead() ? TurnBy::angle : TurnBy::tangent);
     }
 
     /// Whether loads do more work through slopes than through positions.
@@ -643,7 +642,7 @@ private:
     /// becomes plain, and `automatic` too unless there are sections to turn, or masses alone that
     /// loads may have to hold. In a part of a scene `automatic` becomes mixed.
     [[nodiscard]] NewtonKind possible(NewtonKind wanted) const {
-        if (wanted == NewtonKind::plain || wanted == NewtonKind::turned) return wanted;
+        if (wanted == NewtonKind::plain) return wanted;
         if (some([](const ElementGroup& of) { return of.evaluates_mixed(); }))
             // slopes are turned by a system of the whole scene
             return exchange_ != nullptr ? NewtonKind::mixed : wanted;
