@@ -147,7 +147,7 @@ public:
                 if (node != beam.first()) scene.add(ancf::RigidSection(node));
             scene.add(ancf::Moment(beam.last(), {0, 0, 200.0 * pi * load}));
             scene.add(ancf::Force<3>(beam.last(), {0, 0, 50.0 * load}));
-            solve(scene, row, ancf::NewtonKind::automatic, whole ? 100 : 5, false);
+            solve(scene, row, false);
             // Reissner's beam by shooting; the tip tells more than the turns
             const Point theory = whole ? Point(0.004803250, 0.000072497, -0.076441742)
                                        : Point(0.711481028872, 6.285664430813, 2.750736205012);
@@ -194,11 +194,8 @@ private:
     }
 
     /// Solves in steps; a moment fixed in space has an unsymmetric stiffness.
-    static void solve(Scene& scene, Row& row, ancf::NewtonKind newton, int steps = 1,
-                      bool symmetric = true) {
+    static void solve(Scene& scene, Row& row, bool symmetric = true) {
         ancf::StaticsOptions how;
-        how.newton = newton;
-        how.steps = steps;
         how.adaptive = true;
         ancf::EigenLdlt lower;
         ancf::EigenLu full;
@@ -265,7 +262,7 @@ private:
             scene.clamp(beam.first(), ancf::Clamp::free_slope);
             const Point across(0.0, std::cos(angle), std::sin(angle));
             scene.add(ancf::Force<3>(beam.last(), force * across));
-            solve(scene, row, ancf::NewtonKind::automatic);
+            solve(scene, row);
             const Point tip = scene.position(beam.last());
             row.error = std::hypot(tip[0] - tip_[0], tip.dot(across) - tip_[1]) / length;
             finish(rows, row, start);
@@ -280,7 +277,7 @@ private:
                                                        {length, 0, 0}, row.elements, options());
         scene.clamp(beam.first(), ancf::Clamp::free_slope);
         scene.add(ancf::Force<3>(beam.last(), {0, force, 0}));
-        solve(scene, row, ancf::NewtonKind::automatic);
+        solve(scene, row);
         return scene.position(beam.last());
     }
 
@@ -351,7 +348,7 @@ private:
                                              {0, 0, 0}, {1, 0, 0}, row.elements, options());
             scene.clamp(beam.first(), ancf::Clamp::free_slope);
             scene.add(ancf::Force<3>(beam.last(), {0, 10.0 * bending(material, height), 0}));
-            solve(scene, row, ancf::NewtonKind::automatic);
+            solve(scene, row);
             row.error =
                 (scene.position(beam.last()) - Point(0.445004402246, 0.810609024880, 0)).norm();
             finish(rows, row, start);
@@ -373,7 +370,7 @@ private:
             scene.clamp(beam.first(), ancf::Clamp::free_slope);
             const double force = 1.5 * bending(material, height) / (length * length);
             scene.add(ancf::Force<3>(beam.last(), {0, force, 0}));
-            solve(scene, row, ancf::NewtonKind::automatic);
+            solve(scene, row);
             // its softer shear moves the tip by 1e-5 of the length
             row.error = (scene.position(beam.last()) - Point(tip_[0], tip_[1], 0)).norm() / length;
             finish(rows, row, start);
@@ -416,7 +413,7 @@ private:
             scene.clamp(root, ancf::Clamp::free_slope);
             const double force = 1.5 * bending(material, height) / (length * length);
             scene.add(ancf::Force<3>(last, {0, force, 0}));
-            solve(scene, row, ancf::NewtonKind::automatic);
+            solve(scene, row);
             row.error = (scene.position(last) - Point(tip_[0], tip_[1], 0)).norm() / length;
             finish(rows, row, start);
         }
@@ -444,8 +441,7 @@ private:
         scene.clamp(beam.first(), ancf::Clamp::free_slope);
         const double moment = 2.0 * pi * circles * bending(material, height);
         scene.add(ancf::Moment(beam.last(), {0, 0, moment}));
-        solve(scene, row, ancf::NewtonKind::automatic,
-              semicircle ? 1 : static_cast<int>(2.5 * circles), false);
+        solve(scene, row, false);
         Point theory(0, semicircle ? 2.0 / pi : 0.0, 0);
         if (semicircle && !is_reissner<Element>) theory = {-0.003648082997, 0.633306343961, 0};
         row.error = (scene.position(beam.last()) - theory).norm();
@@ -468,7 +464,7 @@ private:
         const double polar = width * height * (width * width + height * height) / 12.0;
         const double torque = 5.0 / 6.0 * shear * polar * 2.0 * pi * revolutions / length;
         scene.add(ancf::Moment(beam.last(), {torque, 0, 0}));
-        solve(scene, row, ancf::NewtonKind::automatic, revolutions < 1.0 ? 1 : 8, false);
+        solve(scene, row, false);
         row.error = std::abs(turns(scene, beam, ancf::Field::r_y) / revolutions - 1.0);
         finish(rows, row, start);
     }
@@ -506,7 +502,7 @@ private:
             if (torque.held) scene.fix(beam.last(), ancf::Field::r, 0);
             scene.add(ancf::RigidSection(beam.last()));
             scene.add(ancf::Moment(beam.last(), {torque.value, 0, 0}));
-            solve(scene, row, ancf::NewtonKind::automatic, 1, false);
+            solve(scene, row, false);
             row.error = std::abs(turns(scene, beam, ancf::Field::r_y) / 0.5 - 1.0);
             finish(rows, row, start);
         }
@@ -549,7 +545,7 @@ private:
                     {1, 0, 0}, {0, 1, 0}, 100.0, 0.25 * pi, elements, options(torsion.model));
                 scene.clamp(beam.first(), ancf::Clamp::free_slope);
                 scene.add(ancf::Force<3>(beam.last(), {0, 0, 600}));
-                solve(scene, row, ancf::NewtonKind::automatic);
+                solve(scene, row);
                 row.error = (scene.position(beam.last()) - torsion.tip).norm() / 100.0;
                 finish(rows, row, start);
             }
@@ -581,7 +577,7 @@ private:
             const double angle = load.degrees * pi / 180.0;
             scene.add(ancf::Force<3>(beam.last(),
                                      load.force * Point(0.0, std::cos(angle), std::sin(angle))));
-            solve(scene, row, ancf::NewtonKind::automatic);
+            solve(scene, row);
             const Point tip = scene.position(beam.last());
             row.error = std::hypot(tip[1] - load.chordwise, tip[2] - load.flapwise) /
                         std::hypot(load.chordwise, load.flapwise);
@@ -615,7 +611,7 @@ private:
             std::vector<double>{12.0 / elements}, options());
         scene.clamp(beam.first(), ancf::Clamp::free_slope);
         scene.add(ancf::Force<3>(beam.last(), Point::Unit(along)));
-        solve(scene, row, ancf::NewtonKind::plain);
+        solve(scene, row);
         row.error = std::abs(scene.position(beam.last())[along] / deflection - 1.0);
         finish(rows, row, start);
     }
