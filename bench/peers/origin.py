@@ -31,10 +31,12 @@ def machine():
     info = pathlib.Path("/proc/cpuinfo")
     text = info.read_text(encoding="utf-8") if info.is_file() else ""
     model = re.search(r"^model name\s*: (.*)", text, re.MULTILINE)
+    numbers = re.search(r"^cpu family\s*: (\d+)\nmodel\s*: (\d+)", text, re.MULTILINE)  # a name may stand for several
+    kind = " family {} model {}".format(*numbers.groups()) if numbers else ""
     found = re.search(r"^flags\s*:(.*)", text, re.MULTILINE)
     flags = set(found.group(1).split()) if found else set()
     wide = next((name for name in ("avx512f", "avx2", "avx", "sse2") if name in flags), "registers unknown")
-    return f"{model.group(1) if model else UNKNOWN}, {os.cpu_count()} cores visible, {wide.upper()}"
+    return f"{model.group(1) if model else UNKNOWN}{kind}, {os.cpu_count()} cores visible, {wide.upper()}"
 
 
 def cached(build, name):
