@@ -67,6 +67,18 @@ using NodeSpin = std::array<Vec3<double>, 9>;
     return true;
 }
 
+/// Returns exp(W) v, W of the spin w.
+/// @param by  tangent: exp takes atan of the angle of W instead of the angle
+[[nodiscard]] ANCF_INLINE Vec3<double> turned_by(const Vec3<double>& spin, const Vec3<double>& v,
+                                                 TurnBy by) {
+    const double size = length(spin);
+    const double angle = by == TurnBy::tangent ? std::atan(size) : size;
+    const double first = size > 0.0 ? std::sin(angle) / size : 1.0;
+    const double half = size > 0.0 ? std::sin(0.5 * angle) / size : 0.5;
+    const Vec3<double> across = cross(spin, v);
+    return v + first * across + 2.0 * half * half * cross(spin, across);
+}
+
 /// Moves a node's slopes G to exp(W) (G + dG - W G), W the spin w that dG gives the section: dG_k
 /// and what w takes from it, w x G_k, turned by w.
 /// @param tangent_only  w keeps the part about r_x
@@ -81,35 +93,31 @@ ANCF_INLINE void turn_frame(const double* before, const double* change, int coun
         const Vec3<double> axis = vector_at(before, dimension);
         spin = dot(spin, axis) / dot(axis, axis) * axis;
     }
-    const double size = length(spin);
-    const double angle = by == TurnBy::tangent ? std::atan(size) : size;
-    const double first = size > 0.0 ? std::sin(angle) / size : 1.0;
-    const double half = size > 0.0 ? std::sin(0.5 * angle) / size : 0.5;
     for (int k = 0; k < count; ++k) {
         const Vec3<double> slope = vector_at(before + dimension * k, dimension);
-        const Vec3<double> rest =
-            slope + vector_at(change + dimension * k, dimension) - cross(spin, slope);
-        const Vec3<double> across = cross(spin, rest);
-        const Vec3<double> end = rest + first * across + 2.0 * half * half * cross(spin, across);
+        const Vec3<double> end = turned_by(
+            spin, slope + vector_at(change + dimension * k, dimension) - cross(spin, slope), by);
         std::copy_n(end.v, dimension, after + dimension * k);
     }
 }
 
 /// Writes rate + change, the rate of a slope along the line, with what turns it as the tangent
-/// turned: R (rate + change - w x rate), R the smallest rotation from t to the new tangent's
-/// direction and w = t x dt its spin, t = r_x/|r_x|.
+/// turned: R exp(W) (rate + change - w x rate), w = t x dt the spin of t = r_x/|r_x|, and R the
+/// smallest rotation from exp(W) t to the new tangent's direction.
 /// @param before,after  r_x
 /// @param change        of r_x
 ANCF_INLINE void turn_rate(const double* before, const double* change, const double* after,
-                           const double* rate, const double* rate_change, int dimension,
+                           const double* rate, const double* rate_change, int dimension, TurnBy by,
                            double* out) {
     const Vec3<double> r_x = vector_at(before, dimension), end = vector_at(after, dimension);
     const Vec3<double> t = r_x / length(r_x), to = end / length(end);
-    const double cosine = dot(t, to);
-    if (!(cosine > -0.9)) return;  // where that rotation is not unique
     const Vec3<double> spin = cross(t, vector_at(change, dimension) / length(r_x));
-    const Vec3<double> axis = cross(t, to), old = vector_at(rate, dimension);
-    const Vec3<double> v = old + vector_at(rate_change, dimension) - cross(spin, old);
+    const Vec3<double> from = turned_by(spin, t, by);
+    const double cosine = dot(from, to);
+    if (!(cosine > -0.9)) return;  // where that rotation is not unique
+    const Vec3<double> axis = cross(from, to), old = vector_at(rate, dimension);
+    const Vec3<double> v =
+        turned_by(spin, old + vector_at(rate_change, dimension) - cross(spin, old), by);
     const Vec3<double> turned = cosine * v + cross(axis, v) + dot(axis, v) / (1.0 + cosine) * axis;
     std::copy_n(turned.v, dimension, out);
 }
@@ -402,7 +410,7 @@ ANCF_INLINE void Turning::turn(const VectorX& before, const VectorX& change, Vec
             if (const int k = layout_.index({{node}, rate}); k >= 0 && is_free(k))
                 detail::turn_rate(before.data() + at.first, change.data() + at.first,
                                   q.data() + at.first, before.data() + k, change.data() + k,
-                                  dimension_, q.data() + k);
+                                  dimension_, by, q.data() + k);
     }
     factorize();
     // wanted: how far each chord ends from where the linear sum ends it
