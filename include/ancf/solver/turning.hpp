@@ -88,6 +88,9 @@ private:
                                const VectorX& change) const;
     void add_curvature_of_slope(int first, const VectorX& q, const VectorX& residual,
                                 const SparseMatrix& pattern, double* values) const;
+    void add_curvature_of_rate(int rate, const Slopes& at, const VectorX& q,
+                               const VectorX& residual, const SparseMatrix& pattern,
+                               double* values) const;
     void add_curvature_of_chord(const std::array<int, 2>& chord, const double* forces,
                                 const VectorX& q, const SparseMatrix& pattern,
                                 double* values) const;

@@ -247,6 +247,9 @@ ANCF_INLINE void Turning::add_curvature(const VectorX& q, const VectorX& residua
                                         const SparseMatrix& pattern, double* values, bool chords) {
     for (int node = 0; node < layout_.nodes(); ++node) {
         const Slopes at = slopes(node);
+        for (const Field field : slope_rates)
+            if (const int rate = layout_.index({{node}, field}); rate >= 0)
+                add_curvature_of_rate(rate, at, q, residual, pattern, values);
         if (!at.whole) {
             for (int slope = 0; slope < at.count; ++slope)
                 add_curvature_of_slope(at.first + slope * dimension_, q, residual, pattern, values);
@@ -291,6 +294,61 @@ ANCF_INLINE void Turning::add_curvature_of_slope(int first, const VectorX& q,
     for (int i = 0; i < free; ++i)
         for (int j = 0; j < free; ++j) block[3 * i + j] = whole[3 * axis[i] + axis[j]];
     detail::add_block(block, 3, 1, equations, free, equations, free, pattern, values);
+}
+
+/// Adds the second derivative of f . rate of the rate of a slope, which turn_rate() turns.
+///
+/// With t = r_x/L, L = |r_x|, dr_x = a t + L b, w = t x b and the spin s of the section, rho + drho
+/// becomes to second order
+///
+///     rho + drho + w x drho - w x (w x rho)/2 + (t x u) x rho,
+///     u = a/L (s x t - b) + s.t t x b - s.t t x (s x t)/2,
+///
+/// u what the turned r_x has across t besides b.
+ANCF_INLINE void Turning::add_curvature_of_rate(int rate, const Slopes& at, const VectorX& q,
+                                                const VectorX& residual,
+                                                const SparseMatrix& pattern, double* values) const {
+    using Vector = detail::Vec3<double>;
+    if (!is_free(rate) || !is_free(at.first)) return;
+    const Vector r_x = detail::vector_at(q.data() + at.first, dimension_);
+    const double length = detail::length(r_x);
+    if (!(length > 0.0)) return;
+    const int slopes = dimension_ * (at.whole ? at.count : 1), size = slopes + dimension_;
+    const Vector t = r_x / length, rho = detail::vector_at(q.data() + rate, dimension_);
+    detail::NodeSpin of_section = {};
+    if (at.whole && !detail::spin_of(q.data() + at.first, at.count, dimension_, of_section)) return;
+    int equations[12];
+    Vector force = {}, w[12] = {}, s[12] = {};
+    double stretch[12] = {};
+    for (int k = 0; k < slopes; ++k) {
+        equations[k] = numbering_.equation(at.first + k);
+        if (k < dimension_) {
+            Vector axis = {};
+            axis[k] = 1.0;
+            w[k] = cross(t, axis) / length;
+            stretch[k] = t[k] / length;
+        }
+        s[k] = at.whole ? of_section[k] : w[k];
+    }
+    for (int k = 0; k < dimension_; ++k) {
+        equations[slopes + k] = numbering_.equation(rate + k);
+        force[k] = residual[equations[slopes + k]];
+    }
+    const Vector of_tangent = cross(cross(rho, force), t);  // f . ((t x u) x rho) = of_tangent . u
+    const auto half = [&](int a, int b) {
+        const Vector across = cross(s[b], t);
+        double value = stretch[a] * dot(of_tangent, across - cross(w[b], t)) +
+                       dot(s[b], t) * dot(of_tangent, cross(t, cross(w[a], t))) -
+                       0.5 * dot(s[a], t) * dot(of_tangent, cross(t, across)) +
+                       0.5 * (dot(force, rho) * dot(w[a], w[b])) -
+                       0.5 * dot(force, w[a]) * dot(rho, w[b]);
+        if (b >= slopes) value += cross(force, w[a])[b - slopes];
+        return value;
+    };
+    double curvature[12 * 12];
+    for (int a = 0; a < size; ++a)
+        for (int b = 0; b < size; ++b) curvature[12 * a + b] = half(a, b) + half(b, a);
+    detail::add_block(curvature, 12, 1, equations, size, equations, size, pattern, values);
 }
 
 /// Adds the second derivative of force . chord by the positions and slopes of its two nodes. With
