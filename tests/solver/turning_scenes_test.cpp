@@ -522,4 +522,36 @@ TEST_CASE("statics: an arch whose ends alone are driven together bends and is no
     }
 }
 
+TEMPLATE_TEST_CASE("statics: few quintic elements roll up in few iterations", "[statics][turning]",
+                   QuinticBeam<>, PlanarQuinticBeam<>) {
+    constexpr int dimension = TestType::dimension;
+    using Place = Vector<double, dimension>;
+    const auto roll_up = [](int elements, double circles, int& iterations) {
+        BasicModel<dimension> scene;
+        const auto beam = straight_beam<TestType>(
+            scene, Material::isotropic(2e11, 0.3, 7800.0), rectangle(0.01, 0.01),
+            Place(Place::Zero()), Place(Place::Unit(0)), elements, TestType::Options::best());
+        scene.clamp(beam.first(), Clamp::free_slope);
+        const double moment = 2.0 * pi * circles * 2e11 * std::pow(0.01, 4) / 12.0;
+        if constexpr (dimension == 2)
+            scene.add(PlanarSlopeMoment(beam.last(), Field::r_y, moment));
+        else
+            scene.add(SlopeMoment(beam.last(), Field::r_y, {0, 0, 1}, moment));
+        EigenLu solver;
+        const auto report = solve_statics(scene, solver);
+        REQUIRE(report.status == Status::converged);
+        iterations = report.iterations();
+        return Place(scene.position(beam.last()));
+    };
+    const std::vector<std::pair<int, double>> cases = {{2, 0.5}, {3, 0.5}, {4, 1.0}, {8, 2.0}};
+    for (const auto& [elements, circles] : cases) {
+        INFO(elements << " elements, " << circles << " circles");
+        int iterations = 0, fine = 0;
+        const Place tip = roll_up(elements, circles, iterations);
+        CHECK(iterations <= 8);  // measured 6
+        CHECK((tip - roll_up(8 * elements, circles, fine)).norm() <= 3e-4);
+        CHECK(fine <= 8);  // measured 4 to 5
+    }
+}
+
 }  // namespace turning_scenes_test
