@@ -193,7 +193,7 @@ private:
         rows.push_back(row);
     }
 
-    /// Solves in steps; a moment fixed in space has an unsymmetric stiffness.
+    /// Solves in one load step; a moment fixed in space has an unsymmetric stiffness.
     static void solve(Scene& scene, Row& row, bool symmetric = true) {
         ancf::StaticsOptions how;
         how.adaptive = true;
