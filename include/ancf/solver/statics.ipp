@@ -26,9 +26,13 @@ namespace detail {
 /// Newton's method at one load factor; keeps the assembly and the factorisation between steps.
 class StaticsNewton {
 protected:
-    /// How an attempt is made: damped where the path seems to end, falling, which is damped too,
-    /// where a state is unstable, plain as the last resort.
-    enum class Way { usual, damped, falling, plain };
+    /// How an attempt is made.
+    enum class Way {
+        usual,    ///< by the iteration that the options ask for
+        damped,   ///< with damped corrections, where the path seems to end
+        falling,  ///< with damped corrections that leave an unstable state
+        plain     ///< plainly, as the last resort
+    };
 
     StaticsNewton(Scene& model, LinearSolver& solver, const StaticsOptions& options)
         : model_(model),
@@ -762,15 +766,15 @@ private:
     double part_size_ = 0.0;   // of a step, or of the part of one that is tried next
     double turn_share_ = 1.0;  // of the turn that one step may take, where a longer one failed
     int steps_done_ = 0;       // of those that the options ask for
-    int spent_ = 0;            // iterations before the one that is being done
+    int spent_ = 0;            // iterations before the step that the options ask for
     static constexpr int none_failed = 2;
     int successes_ = none_failed;       // steps that converged since one failed
-    bool jumped_ = false;               // a damped attempt but a fall was made in this step
-    bool unheld_ = false;               // and that since nothing holds the scene where it begins
+    bool jumped_ = false;               // this step had a damped attempt that was no fall
+    bool unheld_ = false;               // nothing holds the scene where the failed step begins
     int passed_ = 0;                    // bifurcations that the last step ended beyond
     int failed_falls_ = 0;              // in this step
-    int most_falls_;                    // of them; loads without a potential may go round for ever
-    bool falls_by_parts_ = false;       // and not all that is left of it
+    int most_falls_;                    // bound: loads without a potential may go round for ever
+    bool falls_by_parts_ = false;       // a fall takes a part of this step, not all that is left
     bool stable_ = true;                // as far as is known, the last state that was accepted
     bool doubted_ = false;              // the last step ended elsewhere
     std::optional<Stability> reached_;  // at the end of the last attempt, where it was judged
