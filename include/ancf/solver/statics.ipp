@@ -14,6 +14,7 @@
 #include <ancf/solver/turning.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -167,6 +168,23 @@ protected:
         return !report_.fault.has_value();
     }
 
+    /// Returns the sum over positions, and that over slopes, of the loads' forces times a change.
+    /// @param change  null: of the forces' magnitudes
+    [[nodiscard]] std::array<double, 2> sums_of_loads(const VectorX* change) const {
+        const Layout& layout = model_.layout();
+        std::array<double, 2> sums = {};
+        for (int node = 0; node < layout.nodes(); ++node) {
+            const int slopes = layout.fields(node).contains(Field::r) ? model_.dimension() : 0;
+            for (int k = layout.first(node); k < layout.first(node + 1); ++k) {
+                const double force = assembly_.external_force()[k];
+                const bool of_slope = k >= layout.first(node) + slopes;
+                sums[of_slope ? 1 : 0] +=
+                    change != nullptr ? force * (*change)[k] : std::abs(force);
+            }
+        }
+        return sums;
+    }
+
     /// Whether something holds for some type of the scene's elements.
     [[nodiscard]] bool some(bool (*holds)(const ElementGroup&)) const {
         const auto& groups = model_.groups();
@@ -194,8 +212,7 @@ protected:
     Instant instant_;
     bool follows_ = false;  // it goes on from a step that converged: see add_curvature()
     Way way_ = Way::usual;
-    bool turns_first_ = true;     // its first tangent has what turning makes of it
-    bool moments_alone_ = false;  // loads act on slopes, none on a position
+    bool turns_first_ = true;  // its first tangent has what turning makes of it
     VectorX residual_, correction_;
     Correction last_;
     std::string failure_;    // of the solver, in words
@@ -307,29 +324,14 @@ private:
     void bend(NewtonKind newton, VectorX& q) {
         last_.change = q - last_.before;
         if (newton == NewtonKind::mixed ||
-            !(turning_.largest_angle(last_.before, last_.change) > small_turn))
+            !(turning_.largest_angle(last_.before, last_.change) > small_turn)) {
             turning_.twist(last_.before, last_.change, q);
-        else
-            turning_.turn(last_.before, last_.change, q,
-                          moments_lead() ? TurnBy::angle : TurnBy::tangent);
-    }
-
-    /// Whether loads do more work through slopes than through positions.
-    [[nodiscard]] bool moments_lead() {
-        const Layout& layout = model_.layout();
-        double of_positions = 0.0, of_slopes = 0.0;
-        bool force_acts = false, moment_acts = false;
-        for (int node = 0; node < layout.nodes(); ++node) {
-            const int slopes = layout.fields(node).contains(Field::r) ? model_.dimension() : 0;
-            for (int k = layout.first(node); k < layout.first(node + 1); ++k) {
-                const double force = assembly_.external_force()[k];
-                const bool position = k < layout.first(node) + slopes;
-                (position ? of_positions : of_slopes) += force * last_.change[k];
-                if (force != 0.0) (position ? force_acts : moment_acts) = true;
-            }
+            return;
         }
-        moments_alone_ = moment_acts && !force_acts;
-        return std::abs(of_slopes) > std::abs(of_positions);
+        const auto [of_positions, of_slopes] = sums_of_loads(&last_.change);
+        const bool moments_lead = std::abs(of_slopes) > std::abs(of_positions);
+        turning_.turn(last_.before, last_.change, q,
+                      moments_lead ? TurnBy::angle : TurnBy::tangent);
     }
 
     /// A root of the equations counts only where every element is in order.
@@ -676,7 +678,7 @@ private:
             return stable_ = report_.held_by_loads = true;
         }
         if (step.newton != NewtonKind::automatic || step.corrections.empty() || !stable_ ||
-            moments_alone_)
+            moments_alone())
             return true;
         const bool small = !(*std::max_element(step.corrections.begin(), step.corrections.end()) >
                              small_correction);
@@ -713,6 +715,12 @@ private:
         const bool negligible = !step.corrections.empty() &&
                                 step.corrections.back() <= same * report_.factorisation.rcond;
         return negligible ? nullptr : &solver_;
+    }
+
+    /// Whether loads act on slopes, and none on a position.
+    [[nodiscard]] bool moments_alone() const {
+        const auto [of_positions, of_slopes] = sums_of_loads(nullptr);
+        return of_positions == 0.0 && of_slopes > 0.0;
     }
 
     /// Whether the last factorisation leaves it open that a state is unstable.
