@@ -163,6 +163,25 @@ TEST_CASE("petsc::Solver: it says singular, not finite or why it diverged", "[pe
     CHECK_THAT(short_of_steps.failure(), ContainsSubstring("DIVERGED_ITS"));
 }
 
+TEST_CASE("petsc::Solver: MUMPS says singular as often as asked, and then solves what is not",
+          "[petsc]") {
+    SparseMatrix a(2, 2);
+    a.insert(0, 0) = 1.0;
+    a.insert(1, 0) = 2.0;
+    a.insert(0, 1) = 2.0;
+    a.insert(1, 1) = 4.0;
+    a.makeCompressed();
+    petsc::Solver solver;
+    solver.analyze(a);
+    for (int k = 0; k < 3; ++k) CHECK(solver.factorize(a).status == Status::singular);
+    a.coeffRef(1, 1) = 5.0;
+    REQUIRE(solver.factorize(a).status == Status::converged);
+    VectorX x;
+    solver.solve(VectorX::Ones(2), x);
+    CHECK(x[0] == Approx(3.0));
+    CHECK(x[1] == Approx(-1.0));
+}
+
 TEST_CASE("petsc::Solver: it solves and refuses where the condensation leaves no rows", "[petsc]") {
     Model model;
     const auto frame = ancf::frame<petsc_test::Beam>(

@@ -222,4 +222,16 @@ TEST_CASE("DistributedScene::solve: a tangent that is singular has that status e
     CHECK(statics.partition().largest(status) == -statics.partition().largest(-status));
 }
 
+TEST_CASE("DistributedScene::solve: a pin that repeats another is singular when it is tried again",
+          "[petsc]") {
+    Model model = lattice(3);
+    for (int k = 0; k < 2; ++k) model.add(Pin<3>(NodeId{26}, Point(0.5, 0.5, 0.5)));
+    petsc::DistributedScene statics(model);
+    const StaticsReport report = statics.solve();
+    CHECK(report.steps.size() == 2);  // plainly too
+    for (const LoadStep& step : report.steps) CHECK(step.status == Status::singular);
+    CHECK(report.status == Status::singular);
+    CHECK_THAT(report.message, ContainsSubstring("singular"));
+}
+
 }  // namespace statics_test

@@ -207,6 +207,7 @@ struct SolverRun {
         if (worst == PC_NOERROR) return Status::converged;
         reason = worst == error ? PC_SETUP_ERROR : static_cast<PCFailedReason>(worst);
         failure = std::string("PETSc: the preconditioner failed: ") + PCFailedReasons[reason];
+        check(KSPReset(ksp));  // MUMPS would not recover
         const bool pivot =
             reason == PC_FACTOR_NUMERIC_ZEROPIVOT || reason == PC_FACTOR_STRUCT_ZEROPIVOT;
         return pivot ? Status::singular : Status::diverged;
