@@ -197,6 +197,20 @@ TEST_CASE("DistributedScene::solve: what a user's function throws in one process
     CHECK(report.factor == Approx(2.0 / 3.0));
 }
 
+TEST_CASE("DistributedScene::solve: a support whose function throws in one process ends all",
+          "[petsc]") {
+    Model model = lattice(4);
+    model.prescribe(NodeId{63}, Field::r, 2, [](double t) {
+        if (t > 0.5) throw std::domain_error("no such place");
+        return 0.75 + 0.01 * t;
+    });
+    petsc::DistributedScene statics(model);
+    StaticsOptions options;
+    options.steps = 2;
+    CHECK_THROWS_AS(statics.solve(options), std::exception);
+    CHECK(statics.part().state().time == 0.5);  // of the step that converged
+}
+
 TEST_CASE("DistributedScene::solve: a KSP that diverges is a status with PETSc's reason",
           "[petsc]") {
     Model model = lattice(4);

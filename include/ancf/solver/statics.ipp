@@ -55,7 +55,7 @@ protected:
         State& state = model_.state();
         state.time = instant_.time;
         VectorX driven = state.q;
-        assembly_.apply_supports(instant_, driven);
+        together(exchange_, [&] { assembly_.apply_supports(instant_, driven); });
         const VectorX increment = driven - state.q;
         const bool moved = any(largest_magnitude(increment) != 0.0);
 
