@@ -211,6 +211,35 @@ TEST_CASE("DistributedScene::solve: a support whose function throws in one proce
     CHECK(statics.part().state().time == 0.5);  // of the step that converged
 }
 
+TEST_CASE("DistributedScene: every process refuses what is on a vector that no element has",
+          "[petsc]") {
+    const auto refuses = [](const std::function<void(Model&)>& change, const std::string& what) {
+        Model model = lattice(4);
+        change(model);
+        CHECK_THROWS_WITH(petsc::DistributedScene(model), ContainsSubstring(what));
+    };
+    refuses(
+        [](Model& model) {
+            model.add(Force<3>(model.add_node({9, 0, 0}), Point(1, 0, 0)));
+        },
+        "load acts on r of node");
+    refuses(
+        [](Model& model) {
+            model.add(GeneralisedForce({{NodeId{63}, Field::r_xx}}, VectorX::Ones(3)));
+        },
+        "load acts on r_xx of node 63");
+    refuses(
+        [](Model& model) {
+            model.prescribe(model.add_node({9, 0, 0}), Field::r, 0, {});
+        },
+        "support acts on r of node");
+    refuses(
+        [](Model& model) {
+            model.add(Pin<3>(NodeId{63}, model.add_node({0.75, 0.75, 0.75})));
+        },
+        "constraint acts on r of node");
+}
+
 TEST_CASE("DistributedScene::solve: a KSP that diverges is a status with PETSc's reason",
           "[petsc]") {
     Model model = lattice(4);

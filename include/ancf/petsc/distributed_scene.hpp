@@ -54,7 +54,8 @@ class DistributedScene {
 public:
     /// Divides the scene, which outlives this and is the same in every process.
     /// @param options  of the solver of K, or of M + h gamma D + h^2 beta K.
-    /// @throws InvalidArgument for options that PETSc refuses, or where PETSc does not run.
+    /// @throws InvalidArgument for options that PETSc refuses, where PETSc does not run, or where a
+    ///         support, load or constraint is on a vector that no element has.
     /// @throws std::runtime_error where it cannot be divided.
     explicit DistributedScene(Scene& model, MPI_Comm comm = PETSC_COMM_WORLD,
                               const SolverOptions& options = {});

@@ -5,6 +5,7 @@
 
 #include <ancf/dynamics/problem.hpp>
 #include <ancf/error.hpp>
+#include <ancf/model/attachment.hpp>
 #include <ancf/output/vtk.hpp>
 #include <ancf/petsc/distributed_scene.hpp>
 
@@ -16,7 +17,15 @@ ANCF_INLINE DistributedScene::DistributedScene(Scene& model, MPI_Comm comm,
       prefix_(options.prefix),
       partition_(std::make_shared<const detail::Partition>(model, comm, prefix_)),
       part_(model.part(partition_->held(), partition_)),
-      solver_(*part_, options) {}
+      solver_(*part_, options) {
+    // one part alone would refuse a vector that no element has, or none would hold it
+    const auto require = [&](const Coupling& coupling, const char* what) {
+        ancf::detail::LocalCoordinates(model.layout(), {}, coupling, what);
+    };
+    for (const Support& each : model.supports()) require({{each.node, each.field}}, "support");
+    for (const ScaledLoad& each : model.loads()) require(each.load.coupling(), "load");
+    for (const AnyConstraint& each : model.constraints()) require(each.coupling(), "constraint");
+}
 
 ANCF_INLINE StaticsReport DistributedScene::solve(const StaticsOptions& options) {
     options.check();
