@@ -240,6 +240,51 @@ TEST_CASE("DistributedScene: every process refuses what is on a vector that no e
         "constraint acts on r of node");
 }
 
+/// A load that is not a number.
+struct Nothing {
+    NodeId node;
+    static constexpr bool symmetric_stiffness = true;
+    [[nodiscard]] Coupling coupling() const { return {{node, Field::r}}; }
+    void evaluate(const LoadState&, LoadResult& out) const { out.force[1] = std::nan(""); }
+};
+
+TEST_CASE("DistributedScene::solve: the message of every process names the load of the whole scene",
+          "[petsc]") {
+    const int node = GENERATE(20, 63);  // in other parts
+    const auto make = [&] {
+        Model model = lattice(4);
+        model.add(Nothing{NodeId{node}});
+        return model;
+    };
+    Model serial = make(), model = make();
+    EigenLu lu;
+    const StaticsReport expected = solve_statics(serial, lu);
+    CHECK_THAT(expected.message,
+               ContainsSubstring("load " + std::to_string(model.loads().size() - 1)));
+    petsc::DistributedScene statics(model);
+    const StaticsReport report = statics.solve();
+    CHECK(report.status == Status::not_finite);
+    CHECK(report.message == expected.message);
+}
+
+TEST_CASE("DistributedScene::solve: the message of every process names the constraint likewise",
+          "[petsc]") {
+    const auto make = [] {
+        Model model = lattice(4);
+        for (const int node : {20, 40, 60}) {
+            const Point at = model.position(NodeId{node});
+            model.add(Distance<3>(NodeId{node}, node == 60 ? at : Point(at + Point(0, 0, 1)), 1.0));
+        }
+        return model;
+    };
+    Model serial = make(), model = make();
+    EigenLu lu;
+    const StaticsReport expected = solve_statics(serial, lu);
+    CHECK_THAT(expected.message, ContainsSubstring("constraint 2"));
+    petsc::DistributedScene statics(model);
+    CHECK(statics.solve().message == expected.message);
+}
+
 TEST_CASE("DistributedScene::solve: a KSP that diverges is a status with PETSc's reason",
           "[petsc]") {
     Model model = lattice(4);

@@ -61,7 +61,8 @@ struct ElementPlace {
 /// An element whose energy, force or tangent is not a number.
 struct Fault {
     Status status;  ///< degenerate or not_finite
-    int group;      ///< place of the element's type in the model's list; -1: not an element
+    int group;      ///< place of the element's type in the model's list; -1: not an element,
+                    ///< -2: in another part of the scene, which has the fault
     int element;    ///< index in that group
     /// Place of the driven support whose value, rate or acceleration is not finite; -1: none.
     int support = -1;

@@ -24,7 +24,7 @@ template <class Call>
     };
     const auto worst = static_cast<Status>(static_cast<int>(largest_of(exchange, status)));
     if (worst == (own ? own->status : Status::converged)) return own;
-    return Fault{worst, -1, -1};
+    return Fault{worst, -2, -1};
 }
 
 /// Throws where the mass of an element is not finite or symmetric, or has a negative diagonal.
@@ -718,6 +718,7 @@ ANCF_INLINE std::optional<Fault> Assembly::inspect_parts(const VectorX& q) const
 }
 
 ANCF_INLINE std::string Assembly::describe(const Fault& fault) const {
+    const detail::Exchange* const exchange = model_.exchange();
     if (fault.support >= 0) {
         const Support& support = model_.supports()[static_cast<std::size_t>(fault.support)];
         return detail::joined({"the support of ", to_string(support.field), ", component ",
@@ -725,25 +726,26 @@ ANCF_INLINE std::string Assembly::describe(const Fault& fault) const {
                                " has a value, rate or acceleration that is not finite"});
     }
     if (fault.element >= 0)
-        return detail::joined({"element ",
-                               model_.exchange() == nullptr
-                                   ? fault.element
-                                   : model_.exchange()->element(fault.group, fault.element),
-                               " of the type ", model_.groups()[fault.group]->name(), " is ",
-                               to_string(fault.status)});
+        return detail::joined(
+            {"element ",
+             exchange == nullptr ? fault.element : exchange->element(fault.group, fault.element),
+             " of the type ", model_.groups()[fault.group]->name(), " is ",
+             to_string(fault.status)});
     if (faulty_load_ >= 0)
-        return detail::joined({!detail::all_finite(external_) ? "the force of load "
-                               : std::isfinite(load_potential_)
-                                   ? "a derivative of the force of load "
-                                   : "the potential of load ",
-                               faulty_load_, " is not finite"});
+        return detail::joined(
+            {!detail::all_finite(external_)   ? "the force of load "
+             : std::isfinite(load_potential_) ? "a derivative of the force of load "
+                                              : "the potential of load ",
+             exchange == nullptr ? faulty_load_ : exchange->load(faulty_load_), " is not finite"});
     if (faulty_constraint_ >= 0) {
         const auto at = static_cast<std::size_t>(faulty_constraint_);
-        return detail::joined({!detail::all_finite(violation_)   ? "the value of constraint "
-                               : detail::all_finite(constraint_) ? "the stiffness of constraint "
-                                                                 : "the direction of constraint ",
-                               faulty_constraint_, " (", model_.constraints()[at].name(),
-                               ") is not finite: do points or directions coincide?"});
+        return detail::joined(
+            {!detail::all_finite(violation_)   ? "the value of constraint "
+             : detail::all_finite(constraint_) ? "the stiffness of constraint "
+                                               : "the direction of constraint ",
+             exchange == nullptr ? faulty_constraint_ : exchange->constraint(faulty_constraint_),
+             " (", model_.constraints()[at].name(),
+             ") is not finite: do points or directions coincide?"});
     }
     return detail::joined({"gravity, a coordinate or a multiplier is ", to_string(fault.status)});
 }

@@ -19,8 +19,8 @@
 
 namespace ancf::detail {
 
-/// Sums over the parts of a scene. Every call is collective but owns(), element() and
-/// constraints().
+/// Sums over the parts of a scene. Every call is collective but owns(), constraints() and those
+/// that return a number in the whole scene.
 class Exchange {
 public:
     virtual ~Exchange() = default;
@@ -37,6 +37,10 @@ public:
     [[nodiscard]] virtual int element(int group, int element) const noexcept = 0;
     /// Returns the constraints of the whole scene.
     [[nodiscard]] virtual const List<AnyConstraint>& constraints() const noexcept = 0;
+    /// Returns the number in the whole scene of a load of this part.
+    [[nodiscard]] virtual int load(int load) const noexcept = 0;
+    /// Returns the number in the whole scene of a constraint of this part.
+    [[nodiscard]] virtual int constraint(int constraint) const noexcept = 0;
 };
 
 /// Returns the largest of the numbers below 1000 that a call gives in the parts of a scene. Where

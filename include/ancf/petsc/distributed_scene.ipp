@@ -105,11 +105,12 @@ ANCF_INLINE bool DistributedScene::all_go_on(const std::function<bool()>& call) 
 }
 
 // Gives a fault its element's number in the whole scene, and every process the texts of the first
-// that knows the element, else of the first that has one.
+// that has the fault, else of the first that has one.
 ANCF_INLINE void DistributedScene::settle(std::optional<Fault>& fault,
                                           std::initializer_list<std::string*> texts) const {
-    const bool knows = fault && fault->element >= 0;
-    if (knows) fault->element = partition_->element(fault->group, fault->element);
+    const bool knows = fault && fault->group > -2;
+    if (fault && fault->element >= 0)
+        fault->element = partition_->element(fault->group, fault->element);
     const MPI_Comm comm = partition_->comm();
     const int ranks = Session::ranks(comm);
     for (std::string* const text : texts) {

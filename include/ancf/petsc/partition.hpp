@@ -68,6 +68,10 @@ public:
     [[nodiscard]] const List<AnyConstraint>& constraints() const noexcept override {
         return whole_.constraints();
     }
+    [[nodiscard]] int load(int load) const noexcept override { return held_.loads[load]; }
+    [[nodiscard]] int constraint(int constraint) const noexcept override {
+        return held_.constraints[constraint];
+    }
 
     /// Returns an element's number in this part; -1 where another process has it. `element` is its
     /// number in the whole scene.
