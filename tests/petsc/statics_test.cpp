@@ -285,6 +285,21 @@ TEST_CASE("DistributedScene::solve: the message of every process names the const
     CHECK(statics.solve().message == expected.message);
 }
 
+TEST_CASE("DistributedScene: an arm along a slope that nothing holds is refused in every process",
+          "[petsc]") {
+    Model model;
+    const auto rope = straight_beam<Rope>(model, steel, bar(), Point(0, 0, 0), Point(1, 0, 0), 40);
+    const NodeId beside = model.add_node({1.0, 0.1, 0.0});
+    model.clamp(rope.first());
+    model.add_mass(beside, 1.0);
+    model.attach(beside, rope.last());
+    petsc::DistributedScene scene(model);
+    Schedule schedule;
+    schedule.end = 0.01;
+    CHECK_THROWS_AS(scene.solve(), std::exception);
+    CHECK_THROWS_AS(scene.integrate(schedule), std::exception);
+}
+
 TEST_CASE("DistributedScene::solve: a KSP that diverges is a status with PETSc's reason",
           "[petsc]") {
     Model model = lattice(4);

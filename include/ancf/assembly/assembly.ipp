@@ -138,16 +138,17 @@ ANCF_INLINE void Assembly::list_followed() {
 }
 
 ANCF_INLINE void Assembly::check_arms() const {
-    if (model_.attachments().empty() || model_.exchange() != nullptr) return;
+    const detail::Exchange* const exchange = model_.exchange();
+    if (exchange == nullptr && model_.attachments().empty()) return;
     const Layout& layout = model_.layout();
     const Dependence& dependence = model_.dependence();
-    List<char> held(static_cast<std::size_t>(layout.size()));
+    VectorX held = VectorX::Zero(layout.size());  // 0 where nothing holds
     const auto hold = [&](const NodeField& at, bool arms) {
         if (at.field == Field::r && !arms) return;
         const int first = layout.index(at);
-        held[first] = 1;
+        held[first] = 1.0;
         if (!dependence.attached(first)) return;
-        for (const Dependence::Part& part : dependence.parts(first)) held[part.first] = 1;
+        for (const Dependence::Part& part : dependence.parts(first)) held[part.first] = 1.0;
     };
     // What holds one position holds no arm's length; what holds two against each other may.
     const auto hold_all = [&](const Coupling& coupling) {
@@ -165,17 +166,20 @@ ANCF_INLINE void Assembly::check_arms() const {
     for (const AnyConstraint& constraint : model_.constraints()) hold_all(constraint.coupling());
     for (const ScaledLoad& load : model_.loads())
         if (!load.load.constant()) hold_all(load.load.coupling());
-    for (const AttachedVector& attachment : model_.attachments()) {
-        if (attachment.vector.field != Field::r) continue;
-        for (const Dependence::Part& part : dependence.parts(layout.index(attachment.vector))) {
-            const Field field = layout.field_of(part.first);
-            detail::require(field == Field::r || held[part.first] != 0, "Model::attach: node ",
-                            attachment.vector.node.index, " stands beside node ",
-                            layout.node_of(part.first), " along ", to_string(field),
-                            ", which no element there has, so nothing holds it: put a stiff "
-                            "CrossSectionBeam between them");
+    if (exchange != nullptr) exchange->add(held);
+    detail::together(exchange, [&] {
+        for (const AttachedVector& attachment : model_.attachments()) {
+            if (attachment.vector.field != Field::r) continue;
+            for (const Dependence::Part& part : dependence.parts(layout.index(attachment.vector))) {
+                const Field field = layout.field_of(part.first);
+                detail::require(field == Field::r || held[part.first] != 0, "Model::attach: node ",
+                                attachment.vector.node.index, " stands beside node ",
+                                layout.node_of(part.first), " along ", to_string(field),
+                                ", which no element there has, so nothing holds it: put a stiff "
+                                "CrossSectionBeam between them");
+            }
         }
-    }
+    });
 }
 
 ANCF_INLINE void Assembly::build_pattern(Storage storage) {
