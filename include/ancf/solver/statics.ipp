@@ -387,12 +387,13 @@ private:
                supports_hold(assembly_) || !begins_unheld();
     }
 
-    /// Whether constraints repeat each other or a support, by the first tangent of the run.
+    /// Whether constraints repeat each other or a support, by the first tangent of the run. Of a
+    /// scene in parts, those of one part are compared.
     [[nodiscard]] bool repeats() {
         if (!repeats_)
-            repeats_ =
-                exchange_ == nullptr && !solver_.iterative() &&
-                !repeated_constraints(model_, assembly_.numbering(), assembly_.tangent()).empty();
+            repeats_ = !solver_.iterative() &&
+                       any(!repeated_constraints(model_, assembly_.numbering(), assembly_.tangent())
+                                .empty());
         return *repeats_;
     }
 
