@@ -335,19 +335,19 @@ ANCF_INLINE void Turning::add_curvature_of_rate(int rate, const Slopes& at, cons
         force[k] = residual[equations[slopes + k]];
     }
     const Vector of_tangent = cross(cross(rho, force), t);  // f . ((t x u) x rho) = of_tangent . u
-    const auto half = [&](int a, int b) {
-        const Vector across = cross(s[b], t);
-        double value = stretch[a] * dot(of_tangent, across - cross(w[b], t)) +
-                       dot(s[b], t) * dot(of_tangent, cross(t, cross(w[a], t))) -
-                       0.5 * dot(s[a], t) * dot(of_tangent, cross(t, across)) +
-                       0.5 * (dot(force, rho) * dot(w[a], w[b])) -
-                       0.5 * dot(force, w[a]) * dot(rho, w[b]);
-        if (b >= slopes) value += cross(force, w[a])[b - slopes];
-        return value;
-    };
-    double curvature[12 * 12];
+    double half[12 * 12], curvature[12 * 12];
     for (int a = 0; a < size; ++a)
-        for (int b = 0; b < size; ++b) curvature[12 * a + b] = half(a, b) + half(b, a);
+        for (int b = 0; b < size; ++b) {
+            const Vector across = cross(s[b], t);
+            Vector u = stretch[a] * (across - cross(w[b], t));
+            add(u, dot(s[b], t), cross(t, cross(w[a], t)));
+            add(u, -0.5 * dot(s[a], t), cross(t, across));
+            half[12 * a + b] = dot(of_tangent, u) + 0.5 * dot(force, rho) * dot(w[a], w[b]) -
+                               0.5 * dot(force, w[a]) * dot(rho, w[b]);
+            if (b >= slopes) half[12 * a + b] += cross(force, w[a])[b - slopes];
+        }
+    for (int a = 0; a < size; ++a)
+        for (int b = 0; b < size; ++b) curvature[12 * a + b] = half[12 * a + b] + half[12 * b + a];
     detail::add_block(curvature, 12, 1, equations, size, equations, size, pattern, values);
 }
 
