@@ -137,13 +137,19 @@ TEST_CASE("petsc::Solver: without rigid motions multigrid takes far more iterati
     CHECK(needs_more);
 }
 
-TEST_CASE("petsc::Solver: it says singular, not finite or why it diverged", "[petsc]") {
+/// A symmetric matrix of two rows, one twice the other.
+SparseMatrix singular() {
     SparseMatrix a(2, 2);
     a.insert(0, 0) = 1.0;
     a.insert(1, 0) = 2.0;
     a.insert(0, 1) = 2.0;
     a.insert(1, 1) = 4.0;
     a.makeCompressed();
+    return a;
+}
+
+TEST_CASE("petsc::Solver: it says singular, not finite or why it diverged", "[petsc]") {
+    SparseMatrix a = singular();
     petsc::Solver solver({"-ksp_type preonly -pc_type lu -pc_factor_mat_solver_type petsc", ""});
     solver.analyze(a);
     CHECK(solver.factorize(a).status == Status::singular);
@@ -165,12 +171,7 @@ TEST_CASE("petsc::Solver: it says singular, not finite or why it diverged", "[pe
 
 TEST_CASE("petsc::Solver: MUMPS says singular as often as asked, and then solves what is not",
           "[petsc]") {
-    SparseMatrix a(2, 2);
-    a.insert(0, 0) = 1.0;
-    a.insert(1, 0) = 2.0;
-    a.insert(0, 1) = 2.0;
-    a.insert(1, 1) = 4.0;
-    a.makeCompressed();
+    SparseMatrix a = singular();
     petsc::Solver solver;
     solver.analyze(a);
     for (int k = 0; k < 3; ++k) CHECK(solver.factorize(a).status == Status::singular);
